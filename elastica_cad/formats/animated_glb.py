@@ -96,6 +96,8 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
 
 
 class _Buffers:
+    """Binary chunk of a GLB file, with buffer views and accessors."""
+
     def __init__(self) -> None:
         self.binary = bytearray()
         self.views: list[dict[str, Any]] = []
@@ -122,6 +124,7 @@ class _Buffers:
         return len(self.accessors) - 1
 
     def glb(self, content: dict[str, Any]) -> bytes:
+        """Return the bytes of the file: its header, the JSON chunk with `content`, and the binary chunk."""
         sizes = [{"byteLength": len(self.binary)}]
         text = json.dumps(
             content | {"buffers": sizes, "bufferViews": self.views, "accessors": self.accessors}

@@ -185,6 +185,7 @@ class _Tables:
         return len(self.shapes)
 
     def edges(self, boundary: Boundary, traces: Sequence[Iterable[bytes]], gap: float) -> list[int]:
+        """Add the edges of a boundary with their (u, v) curves on the faces. Return the indices of the edges."""
         ends = [self.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
         numbers = []
         for edge, rows in zip(boundary.edges, traces, strict=True):
@@ -228,6 +229,7 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
+    """Return the number of distinct knots, and bytes with each knot and its multiplicity."""
     places, counts = knot_runs(np.asarray(knots, dtype=float))
     rows = np.empty(places.size, dtype=_KNOT)
     rows["place"], rows["count"] = places, counts
@@ -247,6 +249,7 @@ def _spline(knots: FloatArray, degree: int, points: FloatArray, weights: FloatAr
 
 
 def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
+    """Return the record of a curve in space: its type and data."""
     if isinstance(curve, SpaceCurve):
         return _spline(curve.knots, curve.degree, curve.control_points)
     segment, frame = curve.segment, curve.frame
@@ -261,6 +264,7 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
 
 
 def _surface(surface: Surface) -> bytes:
+    """Return the record of a surface: its type and data."""
     if isinstance(surface, PlaneSurface):
         return bytes([_PLANE]) + _axes(surface.frame)
     if isinstance(surface, CylinderSurface):
@@ -274,6 +278,7 @@ def _surface(surface: Surface) -> bytes:
 
 
 def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
+    """Return the record of an edge in the (u, v) plane of a surface, rotated by `turn` (2, 2)."""
     if isinstance(trace, StraightTrace):
         return pack("<B4d", _LINE, *turn @ trace.origin, *turn @ trace.direction)
     if isinstance(trace, Line):

@@ -104,6 +104,7 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
+    """Return the largest rounding error, mm, of the start and end of each of n chains (2 n,)."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([size_of(run) for run in chains], 2)
     # largest error of an end point; 1.1 allows for rounded angles
@@ -170,6 +171,7 @@ def _is_loop(run: Run) -> bool:
 
 
 def _circle(run: Run) -> tuple[FloatArray, float] | None:
+    """Return the centre and the diameter of a run that is a full circle, else None."""
     if any(edge.degree < 2 or edge.weights is None for edge in run) or not _is_loop(run):
         return None
     points = sample_run(run, 9)
@@ -235,6 +237,7 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
+    """Return the partner of each end (run, side) that touches exactly one other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
@@ -273,6 +276,7 @@ class _RunIndex:
     """Ends and bounding boxes of runs, sorted along the longer axis of the drawing, to find overlaps."""
 
     def __init__(self, runs: Sequence[Run], tolerance: float) -> None:
+        """Sort the runs by their middles along the longer axis, to find those near a run, and by length."""
         self.runs, self.tolerance = runs, tolerance
         self.ends = _ends(runs).reshape(len(runs), 2, -1)
         self.sizes = np.array([sum(edge.length for edge in run) for run in runs])
@@ -380,6 +384,7 @@ def _nearest_place(point: FloatArray, run: Run, tolerance: float) -> _Place | No
 
 
 def _part_between(run: Run, first: _Place, last: _Place) -> Run:
+    """Return the part of a run between two places, each an edge and a parameter."""
     parts = []
     for k in range(first[0], last[0] + 1):
         low, high = run[k].spans.edges[[0, -1]]
@@ -392,6 +397,7 @@ def _part_between(run: Run, first: _Place, last: _Place) -> Run:
 
 
 def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
+    """Return for points (n, 2 or 3) whether they are on the run, within `tolerance`."""
     is_near = np.zeros(len(points), dtype=bool)
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
@@ -414,6 +420,7 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _sample_points(run: Run) -> FloatArray:
+    """Return points along the run, enough to distinguish runs with the same ends."""
     return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
 
 

@@ -148,6 +148,7 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
 
 
 def _widths(curve: PlaneCurve) -> FloatArray | None:
+    """Return strip widths (n,), mm, at equal distances along a curve, or None if no strip takes this curve."""
     try:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:

@@ -64,6 +64,7 @@ def _shortest_text(value: float, decimals: int = _DECIMALS) -> str:
 
 
 def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
+    """Return the part of SVG path data that draws a segment from its start."""
     if isinstance(segment, Line):
         return f"L{place(segment.end.tolist())}"
     if isinstance(segment, Arc):

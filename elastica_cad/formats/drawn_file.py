@@ -419,6 +419,7 @@ _MOST_POINTS = 200
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:
+    """Return the largest distance, mm, of a curve from its points or edges in the file; 0 if it is unchanged."""
     record = curve.provenance
     if flat:
         if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):
@@ -517,6 +518,7 @@ def collect_curves(
 
 
 def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
+    """Return notes on shapes that were left out as duplicates, and on gaps that were closed."""
     notes: list[str] = []
     for kind, text in _OVERLAPS.items():
         pairs = dict.fromkeys(

@@ -76,6 +76,7 @@ def _check_depth(depth: int) -> None:
 
 
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
+    """Return the number of entities of a layout with expanded blocks, at most 10^9."""
     _check_depth(depth)
     from ezdxf.lldxf.const import DXFError
 
@@ -150,6 +151,7 @@ def read_dxf_drawing(
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
+    """Yield the edges, mm, of every curve. Other and unreadable entities are counted in `skipped`."""
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []
@@ -199,6 +201,7 @@ def _decoded_name(name: str) -> str:
 
 
 def _opened(path: Path) -> "Drawing":
+    """Return the document, repaired if necessary. Refuse a file in which numbers had to be guessed."""
     try:
         from ezdxf import recover
         from ezdxf.audit import AuditError
@@ -236,6 +239,7 @@ def _opened(path: Path) -> "Drawing":
 
 
 def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
+    """Return the size of the unit, mm, with its source, or with a note if it is assumed."""
     code = _unit_code(document)
     with file.open("rb") as opened:
         if code:
@@ -266,6 +270,7 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
 
 
 def _unit_code(document: "Drawing") -> int:
+    """Return the code of the unit, $INSUNITS; 0 means none."""
     try:
         code = int(document.header.get("$INSUNITS", 0))
     except (TypeError, ValueError, OverflowError):
@@ -323,6 +328,7 @@ def _entities(
 
 
 def _run(entity: Any) -> Run | None:
+    """Return the edges of an entity in the coordinates of its block, or None if it is not a curve."""
     kind = entity.dxftype()
     if kind == "LINE":
         return (Edge.polyline([entity.dxf.start, entity.dxf.end]),)
@@ -364,6 +370,7 @@ def _arc_angles(start: float, end: float) -> tuple[float, float]:
 
 
 def _spline(entity: Any) -> Edge:
+    """Return a SPLINE as an edge, also if it is periodic or defined by fit points."""
     if not len(entity.control_points):
         return _spline_through_fit_points(entity)
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
@@ -403,6 +410,7 @@ def _full_period(
 def _without_doubled_poles(
     knots: FloatArray, poles: FloatArray, degree: int
 ) -> tuple[FloatArray, FloatArray]:
+    """Remove inner knots of multiplicity degree + 1 at which two control points coincide."""
     if knots.size != len(poles) + degree + 1:
         return knots, poles
     inner = range(degree + 1, len(poles))
@@ -430,6 +438,7 @@ def _spline_through_fit_points(entity: Any) -> Edge:
 
 
 def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
+    """Return the cubic spline through points, parametrised by chord lengths. `ends` is scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)

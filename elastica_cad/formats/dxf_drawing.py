@@ -110,6 +110,7 @@ def _made_by() -> list[str]:
 def _through_ezdxf(
     paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray, version: str
 ) -> bytes:
+    """Return the bytes of a DXF file of R2000 or later. The segments of a path are a group."""
     with _plain_ezdxf() as ezdxf:
         document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
         for layer, style in styles.items():
@@ -141,6 +142,7 @@ def _through_ezdxf(
 
 
 def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
+    """Add the entities of a path to the model space, and yield them: a circle, a polyline, or each segment."""
     if circle := _circle(path):
         yield space.add_circle(circle.center, circle.radius, on)
     elif not path.has_splines:
@@ -184,6 +186,7 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
+    """Return the bytes of a DXF R12 file, which has no $INSUNITS; a comment states the unit."""
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]
     for name, corner in zip(("$EXTMIN", "$EXTMAX"), bounds.tolist(), strict=True):
@@ -205,6 +208,7 @@ def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bo
 
 
 def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, object]]:
+    """Yield the tags of a path: a circle, the segments of a closed path, or an open polyline."""
     if circle := _circle(path):
         yield from ((0, "CIRCLE"), layer, *_at(10, circle.center), (40, float(circle.radius)))
     elif path.closed:
@@ -233,6 +237,7 @@ def _circle(path: Path) -> Arc | None:
 
 
 def _angles(arc: Arc) -> tuple[float, float]:
+    """Return the start and end angle, degrees, of the arc in anticlockwise direction."""
     first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
     return first, last
 
@@ -244,6 +249,7 @@ def _vertices_with_bulges(path: Path) -> list[tuple[float, float, float]]:
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
+    """Return the segment; an arc of more than 180 degrees is halved, because its bulge would be large."""
     if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
         return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
     return [segment]

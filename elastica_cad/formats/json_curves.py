@@ -87,6 +87,7 @@ def _require_schema(data: dict[str, Any]) -> None:
 
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
+    """Return the curve of a record. `where` names the record in errors, and `scale` is the unit, mm."""
     if not isinstance(record, dict):
         raise InputError(
             "{place} is not a curve: write a record of degree, knots, control_points and weights", place=where

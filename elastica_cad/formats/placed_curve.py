@@ -49,6 +49,10 @@ def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
 
 
 def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
+    """Return the axes (2, 3) of the plane of points (n, 3): x to the right and, in a steep plane, y upwards.
+
+    Collinear points are in a vertical plane.
+    """
     if np.ptp(points[:, 2]) <= tolerance:
         return np.eye(2, 3)
     centred = points - points.mean(axis=0)
@@ -160,6 +164,7 @@ def place_chain(
 
 
 def _several_chains_message(runs: Sequence[Run]) -> str:
+    """Return the message for edges that do not form a single chain, with the place of the nearest ends."""
     ends = np.array([(run[0].start, run[-1].end) for run in runs])
     # axes of the array: run, end of the run, other run, end of the other run
     between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)
@@ -202,6 +207,7 @@ def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
+    """Return the plane of the edges. Its z axis points to the side that `placed_curve` describes."""
     if turned is AS_DRAWN and np.ptp(np.concatenate([edge.points[:, 2] for edge in run])) <= JOIN:
         return Frame((0.0, 0.0, run[0].start[2]))
     points = sample_run(run)

@@ -175,12 +175,15 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
+    """Cell of a heading: axis, name and unit; missing parts are empty."""
+
     axis: str
     name: str
     unit: str
 
     @classmethod
     def of(cls, cell: str) -> "_Head":
+        """Return the parts of a cell such as "x [mm]" or "x mm"."""
         base, unit = cell, ""
         if match := _BRACKETS.fullmatch(cell):
             base, unit = f"{match[1]} {match[3]}".strip(), "" if match[2] in NOTHING else match[2]
@@ -195,6 +198,8 @@ class _Head(NamedTuple):
 
 @dataclass(frozen=True)
 class _Layout:
+    """Curves of a table, with the units in its heading and the texts (`titles`) above the heading."""
+
     columns: list[Column]
     units: list[str]
     titles: list[str]
@@ -202,6 +207,7 @@ class _Layout:
 
     @classmethod
     def of(cls, rows: list[Row]) -> "_Layout":
+        """Return the layout of rows with the first heading among them, or with no heading."""
         first = _first_data(rows)
         for k, (_, cells) in enumerate(rows[: first + 1]):
             heads = [_Head.of(cell) for cell in cells]
@@ -225,6 +231,7 @@ class _Layout:
     def _of_axes(
         cls, heads: Sequence[_Head], above: list[Row], below: list[Row], units: list[str]
     ) -> "_Layout":
+        """Return the layout with a curve for every pair of columns x and y, or triple x, y and z."""
         places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
         count = max(len(places["x"]), len(places["y"]))
         for axis, indices in places.items():
@@ -261,6 +268,7 @@ class _Layout:
     def _of_offsets(
         cls, heads: Sequence[_Head], along: int, below: list[Row], units: list[str], titles: list[str]
     ) -> "_Layout":
+        """Return the layout of a table of offsets, with a curve for every named column over the column `along`."""
         columns, used = [], [along]
         for k, head in enumerate(heads):
             if head.name.lower() in ALONG or not head.name:
@@ -285,6 +293,7 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
+    """Return the units in the first row that is not empty, and the rows without it, if all its cells are units."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]
@@ -294,6 +303,7 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 
 def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
+    """Return the units in the heading or, without units in the heading, in titles and remarks."""
     stated = [match for title in titles for match in _STATED.finditer(title)]
     words = [word for word in names if word not in NOTHING] or [
         match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
@@ -314,6 +324,7 @@ def _mapped(columns: list[Column], change: Callable[[str], str]) -> list[Column]
 
 
 def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
+    """Return the columns without the units of numbers such as "12.5 mm", and these units."""
     units: dict[str, None] = {}
 
     def bare(cell: str) -> str:
@@ -411,6 +422,10 @@ def _first_data(rows: list[Row]) -> int:
 
 
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
+    """Return the numbers of a row, mm.
+
+    `scale` is the size of the unit; cells in feet and inches need none.
+    """
     if not least <= len(cells) <= most:
         raise InputError(
             "row {row} has {count} columns instead of {needed}: correct this row",
@@ -569,6 +584,7 @@ def read_text_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_
 
 
 def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
+    """Return the points (n, 2), mm, of each block of rows between blank rows."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
         if not any(cells):

@@ -136,6 +136,7 @@ def _size(tree: SvgTree) -> tuple[str, str]:
 
 
 def _scale(tree: SvgTree) -> FloatArray:
+    """Return the size, mm, of a user unit along x and y, computed from width, height and viewBox."""
     box = view_box(tree.root)
     lengths = zip(map(read_length, _size(tree)), box[2:] if box else (), strict=False)
     known = [length[0] / extent for length, extent in lengths if length and length[0]]
@@ -190,6 +191,7 @@ class _Reader:
         self._report_left_out({shape.element for shape in shown} - {shape.element for shape in painted})
 
     def _read(self, shape: Shape, to_mm: FloatArray) -> Iterator[Run]:
+        """Yield the runs of a shape, mm. A shape that cannot be read is noted in `bad`."""
         element, _, context = shape
         # products of larger numbers may overflow
         is_finite = bool(np.all(np.abs(context.matrix) < 1e15))
@@ -224,6 +226,10 @@ class _Reader:
             yield tuple(edge.mapped(matrix[:, :2], matrix[:, 2], source) for edge in run)
 
     def _report_left_out(self, unpainted: set[Element]) -> None:
+        """Count shapes that are hidden, unpainted or unreadable.
+
+        If no shape can be read, raise the first error.
+        """
         hidden = self.shapes.elements - self.drawn - unpainted
         counts = {"hidden or empty shape": len(hidden), "shape without stroke and fill": len(unpainted)}
         # adding drops counts of 0
@@ -259,6 +265,7 @@ def _is_painted(values: Mapping[str, str]) -> bool:
 
 
 def _may_be_clipped(runs: Sequence[Run], box: Box | None, matrix: FloatArray) -> bool:
+    """Return True if a part may be outside the clipping box, or if the shape of the clip is unknown (None)."""
     if box is None:
         return True
     points = sample_run(chain.from_iterable(runs))

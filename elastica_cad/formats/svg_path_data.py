@@ -100,6 +100,7 @@ def path_data(text: str) -> PathData:
 
 
 def _commands(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield every command with its numbers. A command that is repeated implicitly is yielded again."""
     text = text.lstrip(", \t\r\n\f")
     at, command, allowed = 0, "", "Mm"
     while at < len(text):

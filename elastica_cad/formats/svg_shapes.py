@@ -194,6 +194,7 @@ class SvgShapes:
             self._visit(root, Context(np.eye(3), extent, _INHERITED))
 
     def _visit(self, element: Element, context: Context, clone: Element | None = None) -> None:
+        """Collect the shapes in an element and in its children, or in the element that it clones."""
         kind = tag(element)
         self._element_count += 1
         check_elements(self._element_count)
@@ -220,6 +221,7 @@ class SvgShapes:
             self._empty.add(element)
 
     def _clone(self, element: Element, context: Context) -> None:
+        """Collect the shapes of the element to which a `use` refers, unless it contains itself."""
         link = element.get("href", "") or element.get("{http://www.w3.org/1999/xlink}href", "")
         target = self._named.get(link[1:]) if link.startswith("#") else None
         if target in self._open:
@@ -228,6 +230,10 @@ class SvgShapes:
             self._visit(target, context, element)
 
     def _add(self, element: Element, context: Context) -> None:
+        """Collect a shape, unless it is hidden.
+
+        Limits on their number and text stop files with very many clones.
+        """
         self._shape_count += 1
         check_count(
             self._shape_count,

@@ -101,6 +101,7 @@ def check_elements(count: int) -> None:
 
 
 def _open_svg(path: Path) -> BinaryIO:
+    """Return the file, unpacked if it is compressed by gzip (SVGZ)."""
     file = path.open("rb")
     if file.read(2) != b"\x1f\x8b":  # the mark of gzip
         file.seek(0)

@@ -308,6 +308,7 @@ def _remove(home: Path) -> None:
 
 
 def _remove_stale(home: Path) -> None:
+    """Remove a temporary folder that a dead process has left, if it is one of ours and older than a day."""
     lock = home / _LOCK
     if home.is_symlink() or lock.is_symlink() or not re.fullmatch(r"\.elastica-[0-9a-f]{16}", home.name):
         return
@@ -376,6 +377,10 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
+    """Move the written files to their target.
+
+    If a file cannot be moved, remove the new files moved before it.
+    """
     # another process may have written files in the meantime
     _check(target, names, force=force)
     if not target.exists():
@@ -397,6 +402,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
+    """Refuse files outside the target, below another file, or, without `force`, already there."""
     for path in (target / name for name in names):
         if target not in path.parents or ".." in path.parts:
             raise InputError(
