@@ -137,6 +137,7 @@ def _holder_part(holder: SingleHolder) -> AssemblyPart:
 
 
 def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
+    """Yield the parts; parts of the same name are numbered."""
     count = Counter(part.name for part in parts)
     used, names_in_use = Counter[str](), set(count)
     for part in parts:
@@ -264,6 +265,7 @@ def is_unmarked(model: Model) -> bool:
 
 
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
+    """Return, for each tab name, the places that hold the tab, each with a short text."""
     places = defaultdict[str, dict[str, str]](dict)
     for tab, place, short in _held_places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         places[tab][place] = short
@@ -271,6 +273,7 @@ def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[s
 
 
 def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
+    """Return how to hold the end of a strip that no part holds: its place, mm, and angle in space."""
     k = ENDS.index(end)
     support = member.strip.rod.supports.ends[k]
     if member.strip.is_closed:
@@ -338,6 +341,7 @@ def _nearest_axis(vector: FloatArray) -> tuple[str, str]:
 
 
 def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
+    """Yield the name of each held tab, its place in the holder, and a short text for the place."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (

@@ -143,6 +143,7 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
 
 
 def _label_lines(strip: Strip) -> list[str]:
+    """Return the lines of text on the drawing of a batten: name, stock and work, ends, and meaning of ticks."""
     sheet, flat = strip.sheet, "thickness" in strip.tapered
     # remove the thickness of the sheet from its name, because the stock has another thickness
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")
@@ -285,6 +286,7 @@ class BattenSpec:
         return place
 
     def _taper(self) -> tuple[float, float]:
+        """Return the taper and the chord, as a fraction of the length, that give the camber at its place."""
         from scipy.optimize import least_squares
 
         def missed(x: FloatArray) -> FloatArray:

@@ -217,6 +217,7 @@ def _strip_of_constant_section(
     min_width: float | None = None,  # noqa: ARG001 - equal to max_width
     **fields: Any,
 ) -> Strip:
+    """Return a strip that a cord bends to the chord of the curve, to the side to which the curve bulges."""
     refuse_unknown(fields, {"ends", "label"}, "a bow of constant section")
     start, end = curve.survey.position[[0, -1]]
     across = (curve.survey.position - start) @ left_of(end - start)

@@ -214,6 +214,8 @@ def _deepest_sample(
 
 @dataclass(frozen=True, eq=False)
 class _Overlap:
+    """Overlap of two strips that are side by side, slotted into each other, or at an angle."""
+
     names: tuple[str, str]
     places: Places
     is_flush: bool = False
@@ -263,6 +265,10 @@ def missing_slots(
 
 
 def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overlap]:
+    """Return the overlaps of all pairs of strips.
+
+    Slotted pairs with the same cuts and position are computed once.
+    """
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
     widths = [member.strip.width for member in placed]
     narrower = [
@@ -314,6 +320,7 @@ def _clearances_of_slots(placed: Sequence[Placed], joints: Iterable[Joint]) -> d
 def _crossing_without_slot(
     strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStrip]
 ) -> Places | None:
+    """Return the places, mm along both strips, at which they cross at an angle without a slot, or None."""
     for crossing in strip_crossings(*surfaces):
         _, _, points = crossing.course
         if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(strips[0]):

@@ -129,6 +129,7 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
 
 @lru_cache(maxsize=128)
 def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
+    """Return the curve as a cubic spline of the arc length of a strip of this length, mm."""
     panels = curve.smooth_panels
     # with 400 samples or more, interpolation is accurate to 1e-5 mm
     t = _subdivided(panels, -(-400 // (panels.size - 1)))
@@ -227,6 +228,7 @@ class Ruling:
 
 
 def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
+    """Return the crossings of strips with parallel rulings, which are lines along the rulings."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
     m = np.eye(3)
@@ -266,6 +268,7 @@ class _Heights:
     def common(
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
+        """Return the common points of both strips at arc lengths where their curves have equal heights."""
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n) @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
@@ -353,6 +356,7 @@ def _branches_of_constant_height(
 
 
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
+    """Return arc lengths and heights of the stretches of a strip between extremes of the height."""
     s = strip.stations
     height, slope = heights.above(strip, strip.in_plane(s))
     # a level curve has one height, except for rounding

@@ -227,6 +227,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
 
 
 def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
+    """Yield a row for each group of equal printed blocks, with the file of one block of the group."""
     stems = distinct(file_word(block.label) for block in blocks)
     same: dict[object, list[int]] = {}
     for k, block in enumerate(blocks):
@@ -258,6 +259,10 @@ def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -
 
 
 def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], lines: Sequence[int]) -> str:
+    """Return rows as text, with a horizontal line above each row whose index is in `lines`.
+
+    Columns in `right` are aligned to the right.
+    """
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     texts = []
     for row in rows:

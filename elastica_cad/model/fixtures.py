@@ -377,6 +377,7 @@ class EndFixture(EqualByValue):
         return FlatSolid(Path.polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
+        """Return the space that the tab needs in the block, leaning and enlarged by the clearance."""
         half = self.tab.thickness / 2 + self.clearance
         back, front = self.tab.length + self.clearance, -CUT_EXTENSION_MM
         shift, turn = self.lean
@@ -395,6 +396,7 @@ class EndFixture(EqualByValue):
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
+        """Return the hole for the screw of a T-slot, from the tip of the tab through the block, if there is one."""
         slot, tab = self.tab.shape.t_slot, self.tab.frame
         if slot is None:
             return []
@@ -413,6 +415,7 @@ class EndFixture(EqualByValue):
         )
 
     def _letter_grooves(self) -> list[FlatSolid]:
+        """Return the grooves of the letters on the side of the block."""
         if not self.engrave:
             return []
         (_, low), (long, high) = self._block_corners[0], self._block_corners[2]
@@ -534,10 +537,7 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 def _crossed_blocks(
     placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]
 ) -> list[int]:
-    """Return the indices of the blocks, made of `parts`, of other tabs that the bent strip enters.
-
-    The strip is tested at points at most `PITCH_MM` apart.
-    """
+    """Return the indices of the blocks that a strip runs through, except the blocks that hold it."""
     tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
@@ -562,12 +562,15 @@ def _is_inside_any(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
+    """Convex prism: points (n, 3) along its edges, and a point and the normal of each face."""
+
     edges: FloatArray
     faces: FloatArray
     outward: FloatArray
 
     @classmethod
     def of(cls, solid: FlatSolid) -> "_Prism":
+        """Return the prism of a solid whose outline is an anticlockwise polygon."""
         up = solid.frame.z_axis
         lower = solid.frame.point([segment.start for segment in solid.outline.segments])
         upper, sides = lower + solid.thickness * up, np.roll(lower, -1, axis=0) - lower
@@ -584,5 +587,6 @@ class _Prism:
         return np.asarray(points[inside.all(axis=1)])
 
     def depths(self, points: FloatArray) -> FloatArray:
+        """Return the depths (n,), mm, of points (n, 3) below the surface, negative for points outside."""
         heights = (self.faces * self.outward).sum(axis=1)
         return np.asarray((heights - points @ self.outward.T).min(axis=1))

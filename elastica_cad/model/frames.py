@@ -232,6 +232,7 @@ class _RailPlan:
         options: PlateOptions,
         behind: float = 0.0,
     ) -> "_RailPlan":
+        """Return the rail with slots for the tabs of one end, shifted `behind` mm along the tabs."""
         name = f"rail-{end}{'-outer' if behind else ''}"
         tabs = tabs_to_hold(placed, [end])
         frame = tab_plane(tabs, name).shifted(z=-behind)
@@ -292,6 +293,7 @@ def _rib(
 
 
 def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
+    """Return the unit normal of ribs, at right angles to the normals of both rails, along the first rail."""
     a, b = rails
     normal = np.cross(a.frame.z_axis, b.frame.z_axis)
     # the rails are almost parallel
@@ -304,6 +306,10 @@ def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
 def _stations_of_ribs(
     rails: Sequence[_RailPlan], across: FloatArray, count: int, space: float
 ) -> list[float]:
+    """Return the stations of ribs before and behind all tabs, and in gaps between tabs.
+
+    Gaps narrower than `space`, mm, are not used.
+    """
     slots = [rail.frame.point(slot.corners) @ across for rail in rails for slot in rail.slots]
     starts, ends = np.transpose(sorted((slot.min(), slot.max()) for slot in slots))
     first, last = float(starts[0]), float(ends.max())
@@ -364,6 +370,7 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
 
 
 def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
+    """Yield two triangular feet for each tab, glued to both of its faces and to the back of the plate."""
     for slot in plate.slots:
         tab = slot.tab
         if tab is None:
@@ -396,6 +403,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
+    """Yield the feet. A number is added to equal names of feet with different shapes."""
     corners = [foot.outline.points(SAME_MM) for foot in feet]
     # positions are rounded, because copies of a foot differ by rounding errors
     shapes = [(foot.name, (p.round(6) + 0.0).tobytes()) for foot, p in zip(feet, corners, strict=True)]

@@ -245,6 +245,7 @@ def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[
 
 
 def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
+    """Return the pairs of indices i < j without duplicates; all pairs by default."""
     if pairs is None:
         return list(combinations(range(count), 2))
     checked = []
@@ -280,6 +281,10 @@ class _Cutter:
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
     ) -> tuple[Joint, ...]:
+        """Return the joints of a pair, which are stored for each request.
+
+        Equal strips in the same relative position have the same crossings, which are then only moved.
+        """
         above = None if self.above is None else tuple(self.above.tolist())
         request = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
         known = _joined.setdefault(placed[0], WeakKeyDictionary())
@@ -312,6 +317,10 @@ class _Cutter:
         return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
+        """Return the joint at a crossing, with a slot in each strip from its edge to the middle.
+
+        Strips that only touch are refused.
+        """
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
         if low < TOUCHING_RAD:
@@ -369,6 +378,7 @@ class _Cutter:
     def refuse_touching(
         self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
     ) -> None:
+        """Refuse strips with parallel rulings that touch anywhere except at their crossings."""
         a, b = ruled
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return
@@ -444,6 +454,7 @@ def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
 
 
 def _refuse_meeting_slots(strip: Strip, name: str) -> None:
+    """Refuse slots that meet each other, or that cut the strip in two."""
     try:
         whole = strip.outline.closed
     except InputError as error:

@@ -127,6 +127,7 @@ def stand(
 def _stable_facing_plates(
     placed: Sequence[Placed], sheet: Sheet, options: RingOptions
 ) -> tuple[BasePlate, ...]:
+    """Return the plates that face the ends of strips, or refuse slots in one row, on which a plate would tip."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])

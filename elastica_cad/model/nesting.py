@@ -210,6 +210,10 @@ def widened_by(sheet: Sheet, kerf: float | None) -> float:
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
+    """Return sheets with the pieces of one material.
+
+    Rows are along the long or the short side, whichever needs fewer sheets or less of the last sheet.
+    """
     best: tuple[tuple[float, float], bool, list[list[_Place]]] | None = None
     for upright in (False, True):
         usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
@@ -230,6 +234,10 @@ def _nested_group(
 
 
 def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
+    """Return the boxes of a piece with margin, narrowest first, turned as the grain permits.
+
+    With `upright`, rows run along the short side of the sheet.
+    """
     x, y = (side + margin for side in piece.size)
     boxes = []
     turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
@@ -298,6 +306,7 @@ def _drawing(
     upright: bool,
     name: str,
 ) -> NestedSheet:
+    """Return the drawing of a sheet with its border and the placed pieces, and the fractions that are used."""
     usable = size[1] - margin if upright else size[0] - margin
     laid, places = [], sorted(places, key=lambda place: place[0].piece)
     placed = [pieces[box.piece] for box, _, _ in places]

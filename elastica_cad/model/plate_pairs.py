@@ -192,6 +192,10 @@ def _tested_cures(
     strips_at: StripsAt | None,
     length: float,
 ) -> str:
+    """Return remedies that were tried for a pair of plates that does not fit: other tabs, or a smaller gap.
+
+    Without one, return the next problem or a remedy that was not tried.
+    """
     cures, slotted = [], [plate for plate in plates if tabs_of(plate)]
     sized = None
     # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
@@ -229,6 +233,7 @@ TESTED_FRACTIONS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 
 
 def _fits(strips_at: StripsAt, plates: Sequence[BasePlate], gap: float) -> bool:
+    """Return True if two plates at this gap can replace each plate."""
     try:
         placed = strips_at(gap)
     except InputError:
@@ -389,6 +394,10 @@ def _displacements(
 
 
 def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple[TabSlot, ...]:
+    """Return the slots of a plate, moved to where the bent tabs pass through it.
+
+    `leans` has the bend of each tab between the two plates.
+    """
     slots = list(plate.slots)
     for k, tab, walls in slot_walls(plate):
         if (lean := leans.get(tab.key)) is not None:
@@ -452,6 +461,7 @@ def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -
 
 
 def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
+    """Return the length, mm, of a bent tab from its start to the plane z = 0 of `ground`."""
     slopes, places, left = lean.resting
     heights = ground.local(tab.frame.point(np.column_stack([places, np.zeros(places.size), -left])))[:, 2]
     lengths = np.append(0.0, (lean.piece * np.hypot(1.0, slopes)).cumsum())

@@ -243,6 +243,7 @@ class BasePlate:
         return replace(self, warnings=warnings, options=options)
 
     def _opening_notes(self, options: PlateOptions) -> tuple[str, ...]:
+        """Return the note on a missing opening, or on a bridge without effect."""
         if self.opening is not None or any(map(is_window, self.holes)):
             return ()
         holes = options.holes if options.holes is not None and options.holes.is_in(self.name) else None
@@ -260,6 +261,7 @@ class BasePlate:
         )  # fmt: skip
 
     def _bridge_note(self, options: PlateOptions, holes: PlateHoles) -> str:
+        """Return the note that a bridge has no effect, with a width that was tried and has an effect."""
         given = holes.bridge or 0.0
         widths = (given, *np.arange(np.ceil(given) - 1.0, 0.0, -1.0).tolist())
         works = (width for width in widths if self._has_bridge(options, replace(holes, bridge=width)))
@@ -275,6 +277,7 @@ class BasePlate:
         )  # fmt: skip
 
     def _has_bridge(self, options: PlateOptions, holes: PlateHoles) -> bool:
+        """Return True if the plate with these holes and without spacers has openings beside the bridge."""
         if not (self.is_round and self.tab_loops):
             return False
         options = replace(options, holes=holes, ignore_limits=False)
@@ -344,6 +347,7 @@ class BasePlate:
         return self.number or engraved_names([*strips, self.name])[self.name]
 
     def _name_inside_slots(self) -> tuple[Text, ...]:
+        """Return the name of the plate between its holes and its slots, if there is room."""
         loops, corners = self._opening_and_holes, [slot.corners for slot in self.slots]
         if not loops:
             return ()

@@ -113,6 +113,7 @@ def _bisector_bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
+    """Return the first strip's bound at the plane midway between both strips, moved inwards by `gap` mm."""
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -130,6 +131,7 @@ def _bisector_bound(
 
 
 def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
+    """Return twice the smaller of the bounds, with a kink where the bounds cross."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         (a, b), (c, d) = bounds
@@ -386,6 +388,7 @@ class _Request:
         return placed, (*rings, *spacers), warnings
 
     def _placed(self, meridian: Meridian) -> tuple[Placed, ...]:
+        """Return the strips about the axis, all cut alike, as wide as their neighbours permit."""
         width, tabs = meridian.width(self.strips), self._tabs(meridian)
         widest, style = float(width.extremes[1]), self.style
         if isinstance(style, Perforated | Laminated):
@@ -540,6 +543,8 @@ def _results_of(checks: Sequence[Callable[[], Any]]) -> list[Any]:
 
 
 def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
+    """Return the least distance of a ring from the axis, in whole mm, at which all parts can be made, or None."""
+
     def works(ring: int) -> bool:
         try:
             request.made(meridian.to_ring(ring))

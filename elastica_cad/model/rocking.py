@@ -81,6 +81,7 @@ def _suggestions(
     holders: Sequence[object],
     two_plates: Callable[[], str],
 ) -> str:
+    """Return the sentence on holders that keep the angle of a tab and were tested with these strips."""
     here = PlacedTab.of(member.strip, end, member.frame)
     plates = [
         plate for plate in plates_with_play(holders) if any(tab.key == here.key for tab in tabs_of(plate))
@@ -123,6 +124,7 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
+    """Return the suggestion of two plates at the first of several gaps at which no tab rocks, or ""."""
     plates = [plate for plate in plates_with_play(holders) if tabs_of(plate)]
     held = [tab for plate in plates for tab in tabs_of(plate)]
     keys = {tab.key for tab in held}

@@ -160,6 +160,7 @@ def _rectangle(place: FloatArray, size: FloatArray) -> FloatArray:
 
 
 def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place: FloatArray) -> Spacer:
+    """Return a spacer with two tongues, at x, y and angle (rad) in the frame of the first plate."""
     first, second = plates
     middle = first.frame.shifted(z=-first.sheet.thickness - gap / 2)
     frame = Frame(middle.point(place[:2]), middle.direction(unit_vectors(place[2])), middle.z_axis)
@@ -216,6 +217,7 @@ def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
 def _near_a_line(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
 ) -> str:
+    """Return the note that the plates can tilt, with a border that was tried and prevents this."""
     name, wide = plates[0].name, _wide_border(plates)
     first, second = (
         plate_with(
