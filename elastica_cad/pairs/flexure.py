@@ -338,6 +338,7 @@ class Flexure:
         return bends, stretch
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
+        """Return the least thickness of the part, mm, at which the largest strain of k shapes is `most`."""
         from scipy.optimize import brentq
 
         def excess(scale: float) -> float:
@@ -547,6 +548,9 @@ class Flexure:
 
     @property
     def _label_texts(self) -> tuple[Text, ...]:
+        """The label on the pad, along or across it, whichever can be larger; none if it would be too small to
+        read.
+        """
         near, far = self.hole_places(self.centre)[0]
         along, across = float(norm(far - near)) - self.pad.hole - 2, self.pad_width - 2
         x, y = ((near + far) / 2).tolist()
@@ -742,6 +746,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
+        """Return the path of a push to the other state, with more steps up to each travel in `places`, mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(norm(push)))]
@@ -780,6 +785,7 @@ class Flexure:
         return bend_path(first, steps)
 
     def _led(self) -> FlexureTravel:
+        """Path from the first to the second state with the end moved: force, energy and strain at each step."""
         first, second = self.rods
         rods, B = self._rods_with_moved_end, self.bending_stiffness
         energy = B * np.array([rod.bending_energy for rod in rods])
@@ -808,6 +814,7 @@ class Flexure:
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
+        """Return the least gap, mm, between points of the part that are not neighbours; negative for an overlap."""
         length, (low, high) = self.pair.length, self._pad_edges
         s = np.linspace(0.0, length, 241)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
@@ -828,6 +835,10 @@ class Flexure:
         return CentreLine(s, np.unwrap(angle_of(along)), positions[0])
 
     def _faults(self) -> Iterable[InputError]:
+        """Yield the reasons why the part cannot be made or breaks.
+
+        It may be too thin for the tool, overstrained, or touch itself.
+        """
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
             verb = "printed" if self.printed else "cut"
@@ -1079,6 +1090,7 @@ class CentreLine:
 def _free_place(
     middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
 ) -> FloatArray:
+    """Return the centre nearest to `middle` for a box of half size `half` (2,) that touches no hole and no box."""
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
     centres = middle + steps[norm(steps).argsort(kind="stable")]

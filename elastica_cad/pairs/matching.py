@@ -163,6 +163,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]") -> float:
+    """Return the common length with the least change of curvature of both curves."""
     from scipy.optimize import minimize_scalar
 
     first, second = (drawn_curve.curve.length for drawn_curve in drawn)
@@ -278,6 +279,7 @@ class _Drawn:
         return float((functions @ numbers) ** 2 @ weight)
 
     def of_length(self, length: float) -> PlaneCurve:
+        """Return the curve of this length, mm, with the least change of curvature between its fixed ends."""
         numbers = self.numbers(length)
         if numbers is None:
             raise NotConvergedError(

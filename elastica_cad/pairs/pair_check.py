@@ -139,6 +139,7 @@ def examine_pair(
 
 
 def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
+    """Return the second curve, scaled to the length of the first. A difference above 1e-4 is refused."""
     for curve in (first, second):
         require_bendable(curve)
         if curve.is_closed:
@@ -212,6 +213,10 @@ def _with_orders(
 
 
 def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
+    """Return the zero of the curvature difference at an end; a gentle slope makes it a double zero.
+
+    `s` is 0 or the length, mm, and `largest` is the largest curvature difference.
+    """
     curve = difference.curve
     t = curve.domain[int(s > 0)]
     slope = difference.slope_at(t, left=s > 0)
@@ -376,6 +381,7 @@ class PairedPanels:
 
     @cached_property
     def _split(self) -> tuple[FloatArray, FloatArray]:
+        """Bases of the numbers that satisfy the conditions: those that change the stiffness, and the others."""
         free = null_space(self.conditions)
         if not free.shape[1]:
             return free, free
@@ -387,6 +393,7 @@ class PairedPanels:
 
     @property
     def _difference(self) -> FloatArray:
+        """Coefficients (nodes, 5) of the moment difference as a linear function of the first five numbers."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property

@@ -231,6 +231,10 @@ class _Chain:
 
     @classmethod
     def of(cls, rod: Rod, at: float, frame: FloatArray, thickness: float | None) -> "_Chain":
+        """Return the chain of a rod with a node at the pushed place, `at` mm from the start.
+
+        Without a `thickness`, the rod hardly stretches.
+        """
         pushed = int(np.clip(round(EDGES * at / rod.length), 1, EDGES - 1))
         s = np.append(
             np.linspace(0.0, at, pushed, endpoint=False), np.linspace(at, rod.length, EDGES - pushed + 1)
@@ -247,6 +251,7 @@ class _Chain:
         )  # fmt: skip
 
     def placed(self, x: FloatArray) -> FloatArray:
+        """Return the positions of the nodes (n + 1, 2), mm, in the coordinates of the drawing."""
         return self.origin + x @ self.frame
 
     def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -312,6 +317,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
+        """Return a linear estimate of the nodes after the pushed node has moved by `by` along the push."""
         step = _solved(*self._holding(self._band(x), by))
         moved = x.copy()
         if step is None:
@@ -379,6 +385,7 @@ class _Chain:
         )
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
+        """Return the nodes, displaced slightly, so that the rod can leave an unstable shape."""
         share = self.s / self.s[-1]
         # an asymmetric displacement moves the rod away from a saddle of the energy
         bow = 1e-4 * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
@@ -389,6 +396,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
+    """Return the solution, or None if the symmetric matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

@@ -105,6 +105,7 @@ def _stability_row(part: Flexure) -> Row:
 
 
 def _force_sentence(part: Flexure) -> Refusal:
+    """Return the sentence on what moves the part between its states: its end or, if it is bistable, a push."""
     turn = Degrees(round(part.force_direction))
     if not part.pair.bistable:
         sentence = note(

@@ -395,6 +395,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
 
 def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoStateRod:
+    """Return the rod whose stiffness and moments the `numbers` determine, scaled to a least stiffness of 1."""
     check, panels, size = paired.check, paired.panels, paired.check.length
     nodes = check.first.survey if samples == DEFAULT_SAMPLES else check.first.sample(samples)
     other = check.second.at(np.minimum(nodes.s, check.second.length))
@@ -432,6 +433,7 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:
+    """Return the rod with one curve as its natural shape, so that this state needs no clamps and has no moment."""
     natural, held = (check.first, check.second) if free == "first" else (check.second, check.first)
     count = None if samples == DEFAULT_SAMPLES else samples
     bent = rod_of_request(RodRequest(held, natural_curvature=CurveOfRest.of(natural), samples=count))
@@ -456,6 +458,10 @@ def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
 
 
 def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
+    """Raise `NotRealizable` for limits that no rod meets.
+
+    `pair` is the rod without the limits, if it is known.
+    """
     wanted = [
         template.format(value)
         for template, value in (
