@@ -74,6 +74,7 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
 
 
 def _edges(shape: Shape | Iterable[Shape]) -> list[Shape]:
+    """Return the edges of a shape, or of shapes nested in sequences."""
     shape = bare(shape)
     if not isinstance(shape, kernel().TopoDS_Shape):
         if not is_series(shape):
@@ -86,6 +87,7 @@ def _edges(shape: Shape | Iterable[Shape]) -> list[Shape]:
 
 
 def _drawn_edge(edge: Shape) -> DrawnEdge:
+    """Return an edge of the kernel as a NURBS in its direction. Only offset curves are approximated."""
     k = kernel()
     curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
     if curve is None:

@@ -83,6 +83,10 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
+    """Return the surface mesh of a layer, unrolled from a strip that was bent to a circle of this radius, mm.
+
+    The circle makes the mesh fine along the strip, as its later shapes need.
+    """
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []

@@ -55,6 +55,7 @@ def make_sheets(records: Sequence[BodyRecord | PrismSolid]) -> list[Shape]:
 
 
 def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
+    """Return the shape of a record: united prisms without the removed ones, an extruded face, or a boundary."""
     k = kernel()
     if isinstance(record, PrismSolid):
         first, *rest = map(make_solid, record.added)
@@ -75,6 +76,7 @@ def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
+    """Return the shape united with others or cut by them, as the operation says."""
     if not others:
         return shape
     builder = kernel().BOPAlgo_BOP()

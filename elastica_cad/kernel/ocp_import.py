@@ -101,6 +101,10 @@ def library_trouble(library: str, error: ImportError) -> str:
 
 
 def _loading_error(error: Exception) -> MissingDependencyError:
+    """Return the error for an OCP that is installed but fails to load.
+
+    Usually two packages have overwritten each other.
+    """
     reason = note("OpenCASCADE (OCP) is installed but cannot be loaded ({error})", error=error)
     brought = {
         name: version

@@ -67,6 +67,7 @@ def _rows(keys: dict[str, tuple[str, str]]) -> Iterator[tuple[str, str]]:
 
 
 def _with_first_parameters(text: str) -> str:
+    """Return a docstring with the drawn shape as its first parameter."""
     title = "Parameters\n----------\n"
     first = title + "".join(f"{row}\n" for _, row in _rows(DRAWN))
     if title in text:
@@ -77,6 +78,7 @@ def _with_first_parameters(text: str) -> str:
 
 
 def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
+    """Give a function or class a signature with its options as keyword arguments."""
     given = plain_signature(thing.__init__ if isclass(thing) else thing)
     named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
     taken = {entry.name for entry in named}

@@ -94,6 +94,7 @@ def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
 
 
 def _places(edge: Edge) -> FloatArray:
+    """Return points along an edge, enough to approximate it by a line."""
     count = len(edge.spans.edges) - 1
     if edge.degree == 1 and count > 4 * POINTS:
         return edge.points
@@ -104,6 +105,7 @@ def _places(edge: Edge) -> FloatArray:
 
 
 def _thinned(points: FloatArray) -> FloatArray:
+    """Return evenly spaced points of a line, and further points where the chords would deviate from it."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

@@ -149,6 +149,7 @@ def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
 
 
 def _touching(wires: list[Shape]) -> list[int]:
+    """Return the indices of wires of a face that share a vertex with another wire."""
     if len(wires) < 2:
         return []
     owner: dict[tuple[float, float, float], int] = {}

@@ -313,6 +313,7 @@ class StripBody:
         return color if differs else None
 
     def _bent_anew(self, moved: BendOptions) -> Strip:
+        """Return the strip, bent to other positions or angles of its ends. Points may be in space."""
         refuse_unknown(moved, BendOptions.__annotations__, "bending a strip")
         led: dict[str, Any] = dict(moved)
         for name in ("start", "end"):
@@ -323,6 +324,7 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
+        """Return a point, mm, in the plane of the strip. A point in space must be on this plane."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):

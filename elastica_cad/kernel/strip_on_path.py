@@ -248,6 +248,10 @@ def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
 
 
 def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
+    """Refuse options that a strip, or a fixture with `sizes`, does not have.
+
+    Those that are passed in another way get the advice how.
+    """
     from elastica_cad.strip.strip_spec import StripSpec
 
     names = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {
