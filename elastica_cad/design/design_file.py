@@ -304,6 +304,8 @@ def name_of_files(top: Table, path: Path) -> str:
 
 
 class _Sheets(dict[str, Sheet]):
+    """Sheets of a design by name, and sheet files in the folder of the design by file name."""
+
     folder = Path()
 
     def __contains__(self, name: object) -> bool:
@@ -330,6 +332,11 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
 def _read_strips(
     tables: Sequence[Table], top: Table, reader: Reader, slips: Slips
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
+    """Return the strips of all tables, and reports.
+
+    The errors of tables are gathered in `slips`. A section that cannot become a strip is left out, unless no
+    strip remains.
+    """
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
@@ -383,6 +390,7 @@ def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], where: str) -> None:
+    """Raise InputError if two strips have the same label, unless they are copies of a part from one table."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
@@ -412,6 +420,7 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
 
 
 def _comparison_key(entry: StripEntry) -> Any:
+    """Return a value that is equal for strips with equal requests and, apart from rounding, equal curves."""
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]
@@ -424,6 +433,7 @@ def _comparison_key(entry: StripEntry) -> Any:
 
 
 def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
+    """Return one error with the texts of all."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first

@@ -307,6 +307,10 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 
 
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
+    """Return the request for holders of a kind, with keys of its table converted to options.
+
+    `number` distinguishes several tables of the kind.
+    """
     options = reader.given(HOLDERS[kind], table)
     options.pop("thickness", None)
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)

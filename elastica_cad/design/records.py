@@ -252,6 +252,7 @@ class Reader:
         return self.value(_best_kind(kind.of, table.raw(key)), table, key)
 
     def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
+        """Return the values of a list: numbers, points, or items of another kind."""
         (inner,), rows = kind.of, table.raw(key)
         if inner.name == "number":
             return table.row(key) if kind.size is None else table.vector(key, kind.size)
@@ -296,6 +297,10 @@ def _best_kind(kinds: tuple[Kind, ...], value: object) -> Kind:
 
 
 def _fits(kind: Kind, value: object) -> bool:
+    """Return True if a value of a design file can have this kind.
+
+    Formulae are texts, and so fit numbers too.
+    """
     if kind.name == "table" and kind.record in WRITTEN:
         return any(_fits(alternative, value) for alternative in written(kind).alternatives)
     match value:
@@ -427,6 +432,7 @@ def described(record: Record) -> list[dict[str, Any]]:
 
 
 def _plain_kind(kind: Kind) -> dict[str, Any]:
+    """Return a kind as plain data, with the fields of its tables."""
     kind = written(kind)
     plain: dict[str, Any] = {"kind": kind.name}
     if kind.choices:
@@ -465,6 +471,7 @@ def paths_of(record: Record) -> Mapping[str, Field]:
 
 
 def _walked(record: Record) -> Iterator[tuple[str, Field]]:
+    """Yield all keys of a record with their paths, such as `style.kind`, also those of inner tables."""
     without = getattr(record, "WITHOUT", ())
     for key in fields_of(record):
         if key.name in without:

@@ -332,6 +332,7 @@ def report_held(shape: HeldShape) -> PlainData:
 
 
 def _ends(strip: Strip) -> PlainData | None:
+    """Return the positions (mm) and angles (degrees) of the held ends, or None for a closed strip."""
     if strip.is_closed:
         return None
     ends = held_ends(strip)

@@ -174,6 +174,7 @@ class RevolutionTable:
 
     @property
     def _profile(self) -> PlaneCurve | None:
+        """Profile with x as the distance from the axis and y along the axis, or None."""
         if self.curve is None or (self.axis is None and self.axis_x is None):
             return self.curve
         if self.axis is None:
@@ -268,6 +269,7 @@ class RevolutionTable:
         )
 
     def _fewer_strips(self) -> Iterator[TestedChange]:
+        """Yield the numbers of strips that were tried, and the change to the largest that works, or ""."""
         step = ceil(self.strips / (2 * TESTED_COUNTS))
         counts = [count for k in range(1, TESTED_COUNTS + 1) if (count := self.strips - k * step) >= 3]
         works = next((count for count in counts if self._works(strips=count)), None)

@@ -195,6 +195,10 @@ def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
 
 
 def _as_json(value: Any) -> Any:
+    """Return a value as JSON.
+
+    Records get the key `record` with their type, and infinite numbers are texts.
+    """
     if is_dataclass(value):
         kind = next(name for name, record in RECORDS.items() if type(value) is record)
         return {"record": kind} | {

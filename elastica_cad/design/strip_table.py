@@ -181,6 +181,7 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
 
 
 def _with_length(table: Table, curve: PlaneCurve) -> PlaneCurve:
+    """Return the curve, scaled about its start to the length in the table, if there is one."""
     length = table.maybe("length")
     if length is None:
         return curve

@@ -158,6 +158,7 @@ def _parsed(text: str) -> _Parsed:
 
 
 def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> None:
+    """Refuse all parts of a formula except numbers, names, known operators and known functions."""
     if depth > 60:  # below the limit of Python's parser
         raise _refusal(
             node, formula, "the formula is nested too deeply; name parts of the formula in a table 'let'"
@@ -264,6 +265,7 @@ OTHER_WORDS = {
 
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
+    """Return the number of a value, which may be a formula. `scope` has the values of names."""
     if isinstance(value, str):
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
