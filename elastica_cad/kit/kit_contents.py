@@ -222,6 +222,7 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
+    """Return messages on faults of the parts that a limit to be ignored permits; other faults are raised."""
     messages: list[str] = []
     # pairs of layers and limits without faults, because equal strips are checked only once
     clear: set[tuple[int, FabricationLimits]] = set()
@@ -245,6 +246,7 @@ def _instability_notes(model: Model) -> list[str]:
 
 
 def _deviations(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
+    """Return the largest distance, mm, of each part from its drawn curve, for parts whose curve may change."""
     curves = {entry.label: entry.curve for entry in entries if entry.spec.may_change}
     deviations = dict[PlaneCurve, float]()
     for part in model.parts:
@@ -264,6 +266,7 @@ def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips
 def _departure_notes(
     model: Model, requests: Mapping[str, StripSpec], deviations: Mapping[str, float]
 ) -> list[str]:
+    """Return notes on curves that the limits change too much, one for each sheet."""
     far = dict[Sheet, list[EqualStrips]]()
     for part in far_parts(model, deviations):
         far.setdefault(part.strip.sheet, []).append(part)
@@ -309,6 +312,7 @@ def count_strips(model: Model) -> str:
 
 
 def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:
+    """Yield the rods of each stock with the lengths to be sawn from each."""
     kinds = dict[Sheet, list[Piece]]()
     for piece in pieces:
         if piece.is_rod:
@@ -362,6 +366,10 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
 def _shapes_in_holders(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
+    """Return the shapes of strips in their holders by name, and notes.
+
+    Strips on rails, pins or ties, strips that can snap, and those in `unheld` have no such shape.
+    """
     held_shapes = dict[str, HeldShape]()
     names = distinct_names(model.placed)
     free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]

@@ -293,6 +293,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(model: Model) -> list[Piece]:
+    """Return framed paper templates for holding the strips of a model, to be nested like parts."""
     templates = []
     for part in model.parts:
         if part.strip.is_closed:

@@ -92,6 +92,7 @@ class MadePair:
             )  # fmt: skip
 
     def _cut_away(self) -> Iterator[Refusal]:
+        """Yield the warning that the cut, if it is not compensated, makes the part thinner and weaker."""
         sheet, thin = self.part.sheet, self.part.scale
         if self.part.printed or self.cutting.options(sheet)["kerf"]:
             return
