@@ -176,6 +176,10 @@ def _pages(
     words: Wording,
     hints: Sequence[str],
 ) -> Iterator[Any]:
+    """Yield the pages as figures.
+
+    The tables are below the picture, if it remains large enough; otherwise on further pages.
+    """
     pairs = tuple(pairs_of_plates(_plates(holders)))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
     tables = [*_tables(model, holders, pairs, steps, cut_list), Table("", (), [(hint,) for hint in hints])]
@@ -276,6 +280,7 @@ def _tables(
 def _plate_sentences(
     holders: Sequence[Holder], pairs: Sequence[tuple[BasePlate, BasePlate, float]]
 ) -> Iterator[str]:
+    """Yield how to join pairs of plates by spacers, and frames by ribs."""
     singles, stacked = [*single_holders(holders)], set[int]()
     spacers = Counter(holder.name for holder in singles if isinstance(holder, Spacer))
     for first, second, gap in pairs:
@@ -313,6 +318,7 @@ def _joined(names: Sequence[str]) -> str:
 
 
 def _step_rows(steps: Sequence[AssemblyStep], number: int) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each run of equal steps, numbered from `number`."""
     count = Counter(step.part for step in steps)
 
     def alike(step: AssemblyStep) -> tuple[Any, ...]:
@@ -413,6 +419,7 @@ def _states_angles(model: Model, holders: Sequence[Holder]) -> bool:
 
 
 def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
+    """Yield positions and angles of both ends, and their distance, mm, for each strip that printed blocks hold."""
     blocks = {holder.tab.key for holder in holders if isinstance(holder, EndFixture)}
     for i, member in enumerate(model.placed):
         tabs = place_tabs([member])
@@ -426,6 +433,7 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
 
 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each plate and rib, with its middle and the distance from the previous middle."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
         # leave out blocks, which have their own table, rings and glued parts, which the text of the page describes,
@@ -495,6 +503,7 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _translated(table: Table, words: Wording) -> Table:
+    """Return the table in another language. Names and numbers, which are plain texts, are unchanged."""
     rows = [
         [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
     ]
@@ -759,6 +768,7 @@ def _loops(plate: BasePlate | Rib, shift: FloatArray) -> Iterator[tuple[FloatArr
 
 
 def _shift_away(holder: SingleHolder, distance: float) -> FloatArray:
+    """Return the displacement (3,) of a holder from the strips in the exploded view."""
     if isinstance(holder, EndFixture):
         return 0.5 * distance * holder.tab.frame.x_axis
     if isinstance(holder, Spacer):

@@ -108,6 +108,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
 
 
 def _polygon_of(loop: Path, step: float, *, divide_lines: bool = False) -> FloatArray:
+    """Return points (n, 2) of a polygon in place of a loop, at most `step` apart on curves."""
     # at least 4 sides replace an arc or spline, or 96 if this curve is a whole loop
     fewest, rows = 96 if len(loop.segments) == 1 else 4, []
     for segment in loop.segments:
@@ -136,6 +137,7 @@ def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[Flo
 
 
 def _patches(solid: FlatSolid, loops: Sequence[Path], size: float) -> FloatArray:
+    """Return the faces of a flat solid as quadrilaterals (n, 4, 3), at most about `size` wide and high."""
     low, high = loops[0].bounds
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -344,11 +346,13 @@ def lit(patches: FloatArray) -> FloatArray:
 
 
 def _normals_of(patches: FloatArray) -> FloatArray:
+    """Return the unit normals (n, 3) of patches (n, 3 or 4, 3)."""
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None])
 
 
 def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:
+    """Return triangles whose sides are at most `longest`, divided at the middle of their longest side."""
     while True:
         edges = np.linalg.norm(np.roll(triangles, -1, axis=1) - triangles, axis=2)
         large = edges.max(axis=1) > longest

@@ -195,6 +195,10 @@ def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
 def _paint_bent(
     axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = (), design: Rod | None = None
 ) -> None:
+    """Draw the bent strip with the comb of its curvature, inflections, loads and angles.
+
+    `wish` is the drawn curve, and `design` the shape without the imperfections of the drawn rod.
+    """
     position, tips, turns = rod.position, comb_tips(rod), inflections_of(rod)
     paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
@@ -254,6 +258,7 @@ def _flat_panel(strip: Strip) -> Panel:
 
 
 def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
+    """Draw the flat strip with its length, widths at stations, and places of cuts for cords and pins."""
     paint_flat(axes, strip)
     (left, bottom), (right, top) = strip.outline.bounds
     length, free = right - left, strip.rod.length
@@ -316,6 +321,7 @@ def paint_inflection_line(
 
 
 def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
+    """Draw the designed shape and, if the displacement is small, an enlarged shape. Return both lines."""
     light = {"color": FAINT, "linewidth": 1.2}
     lines = [design.position]
     axes.plot(*design.position.T, label="design", linestyle=(0, (4, 2)), **light)

@@ -84,6 +84,7 @@ def _tile_drawing(drawing: Drawing, paper: str) -> Tiling:
 
 
 def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
+    """Return the pages on which the drawing has lines, named by column (A, B, ...) and row (1, 2, ...)."""
     low, high = drawing.bounds
     size = np.array(page) - 2 * MARGIN_MM
     step = size - OVERLAP_MM
@@ -169,6 +170,10 @@ def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, title: str) -> None:
+    """Draw the part of the drawing on one page, with crosses for joining the pages and a ruler of 100 mm.
+
+    `low` (2,) is the lower left corner of the page's part of the drawing, mm.
+    """
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))
     axes.set_axis_off()
