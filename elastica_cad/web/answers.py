@@ -256,6 +256,10 @@ def _check_record(spec: StripSpec, scaled: Record) -> Record:
 def _strip_record(
     spec: StripSpec, scaled: Record, rod: Rod | NearestRod, strip: Strip, *, live: bool
 ) -> Record:
+    """Return the answer on a strip: its shape, flat pattern and report.
+
+    While a point is dragged (`live`), slow rows are left out.
+    """
     record = _check_record(spec, scaled)
     record |= {"elements": _elements(spec, strip), "thrust": _thrust_line(strip.rod)}
     near = rod if isinstance(rod, NearestRod) else None
@@ -283,6 +287,7 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     curve, indices = strip["curve"], hold["point"]
 
     def record_with(place: FloatArray) -> Callable[[], Record] | None:
+        """Return a function that computes the record for the dragged points at `place`, or None."""
         places = place.round(PLACE_DIGITS).tolist()
         moved = dict(zip(indices, places, strict=True))
         spline = [moved.get(i, point) for i, point in enumerate(curve["spline"])]
@@ -324,6 +329,7 @@ def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | 
 
 
 def _curve_breaks_strip(spec: StripSpec) -> bool:
+    """Return True if the drawn curve alone shows that the strip would break, without a rod."""
     bends = spec.smooth or spec.natural_curvature or spec.loads or spec.gravity is not None
     if spec.may_change or spec.ignore_limits or bends or not isinstance(spec.style, Plain):
         return False
@@ -348,6 +354,7 @@ def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
+    """Return rails, pins, ties and loads with their positions and, if known, forces in N."""
     curve = spec.rod_spec.curve_to_bend
     drawn_curve = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
@@ -398,6 +405,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
+    """Return the inflections of a rod, not of the drawn curve, and the line through them."""
     points = inflections_of(rod)
     s = [rod.s[norm(rod.position - point).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
@@ -411,6 +419,10 @@ def _inflections(rod: Rod) -> Record:
 
 
 def _stations(strip: Strip) -> Record:
+    """Return positions and widths along the strip with its tabs, and curvatures and strains without them.
+
+    `shares` are the strains as fractions of their limits.
+    """
     rod = strip.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
@@ -438,6 +450,7 @@ def _rows(rows: Iterable[Row]) -> list[Record]:
 
 
 def _flat_loops(drawings: Iterable[Drawing]) -> list[Record]:
+    """Return the lines of drawings by layer, one drawing below the other."""
     layers: list[Record] = []
     below = 0.0
     for drawing in drawings:
@@ -454,6 +467,7 @@ def _flat_loops(drawings: Iterable[Drawing]) -> list[Record]:
 
 
 def _suggestions(request: Mapping[str, Any]) -> Record:
+    """Return tested changes of a request that is refused; none if the strip can be made."""
     try:
         spec = _spec(request)
     except ElasticaError as problem:
@@ -474,6 +488,7 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
+    """Yield changes that each remove one of two conflicting settings."""
     design = request["design"]
     for change in changes:
         removed = REMOVED.get(change.field, ())
@@ -495,12 +510,14 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
 
 
 def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:
+    """Return the sides of a model's sheets, mm, or None for a strip alone."""
     if len(design["strips"]) == 1 and design.keys().isdisjoint({"nest", *OF_MODELS}):
         return None
     return _design(without_models(design)).kit.nesting.sheet_size
 
 
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
+    """Return the tables of the strips after a suggested change: several for a split curve."""
     design = request["design"]
     strip, change = design["strips"][request.get("strip", 0)], suggestion.change
     if suggestion.width is not None:
@@ -603,6 +620,10 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
 
 
 def _model(request: Mapping[str, Any]) -> Record:
+    """Return the shapes of a model with its holders, the summary of its kit, and warnings.
+
+    `offers` are tested changes that warnings name.
+    """
     design = _design(request["design"])
     model = design.model()
     try:
@@ -653,6 +674,7 @@ def _model(request: Mapping[str, Any]) -> Record:
 
 
 def _placed_strips(placed: Iterable[Placed]) -> Record:
+    """Return the shapes of a model's strips and, for each strip, the index of its shape and its position."""
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []
@@ -672,6 +694,10 @@ def _matrix(frame: Frame) -> list[float]:
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
+    """Return the shapes, the flat part and the report of a part with two states.
+
+    If it is refused, return both drawn curves with the refusal.
+    """
     try:
         part = _pair_spec(request).make()
     except ElasticaError as problem:
@@ -707,6 +733,7 @@ def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
+    """Return the curve with a control point added near a place, or with a point removed."""
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         curve = spec.second if request.get("strip") else spec.first
@@ -777,6 +804,8 @@ def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
 
 
 def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
+    """Return the refusal with the name of the dropped file in place of the path of its temporary copy."""
+
     def shown(values: Mapping[str, Any]) -> Record:
         return {
             key: _with_name(value, path, name) if isinstance(value, Refusal)
@@ -796,6 +825,7 @@ def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
 
 
 def _contents(path: FilePath, name: str) -> Record:
+    """Return the design, or the curves and notes, in a dropped file. `name` is its original name."""
     if path.suffix == ".toml":
         tables = parse_design(path)
         _refuse_files(tables)
@@ -836,6 +866,7 @@ def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
 
 
 def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
+    """Return a file of the requested kind, made in `folder`; a kit is a ZIP file."""
     kind = request.get("kind")
     if kind not in DOWNLOADS:
         raise InputError("{file!r} is not a file of this page. Load the page again.", file=kind)

@@ -71,6 +71,7 @@ def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
 
 @cache
 def _widget() -> type["AnyWidget"]:
+    """Return the class of the widget, which needs packages that are imported on first use."""
     try:
         from anywidget import AnyWidget
         from traitlets import Dict

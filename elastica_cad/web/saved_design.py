@@ -147,6 +147,10 @@ def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
 
 
 def _update(saved: Any, changes: Mapping[str, Any]) -> None:
+    """Change the tables of a saved file to those of the page, in place, so that comments and order remain.
+
+    Keys with the value None stay as they are.
+    """
     for key in [key for key in saved if key not in changes]:
         del saved[key]
     for key, value in changes.items():

@@ -147,6 +147,7 @@ class Studio:
         await self._workers.stop()
 
     async def _talk(self, talk: WebSocket) -> None:
+        """Answer the messages of one page, after the page has sent the key, until it is closed."""
         page = next(self._pages)
         await talk.accept()
 
@@ -172,6 +173,10 @@ class Studio:
             self._workers.forget(page)
 
     async def _take(self, page: int, text: str, send: Any) -> None:
+        """Pass a request of the page to a worker, and its answer to `send`.
+
+        A save is written to the file first.
+        """
         try:
             request = read_question(text)
         except InputError as problem:
@@ -190,6 +195,10 @@ class Studio:
 
 
 def _save_if_unchanged(path: Path, content: bytes) -> bytes:
+    """Write the answer to a save to the file, unless the file was changed since the page read it.
+
+    Return the answer for the page.
+    """
     answer = json.loads(content)
     if "refused" in answer:
         return content

@@ -93,6 +93,7 @@ class _PageWords(Translated):
 
 
 def _translated(value: Any, words: Wording) -> Any:
+    """Return an answer with all sentences in the language of the page."""
     if isinstance(value, Refusal):
         return words.sentence(value)
     if isinstance(value, dict):

@@ -70,6 +70,10 @@ class Workers:
             del self._waiting[key]
 
     async def _work(self) -> None:
+        """Answer waiting requests one by one by a worker process.
+
+        The process is ended after an error, or if an answer takes too long.
+        """
         process = None
         try:
             while True:
@@ -107,6 +111,7 @@ async def _start_worker(saved: Path | None) -> asyncio.subprocess.Process:
 
 
 async def _response(process: asyncio.subprocess.Process, line: bytes) -> tuple[bytes, bytes]:
+    """Return the kind (text or file) and the content of the worker's answer to a line."""
     assert process.stdin is not None
     assert process.stdout is not None
     process.stdin.write(line + b"\n")
