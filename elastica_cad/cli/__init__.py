@@ -59,6 +59,10 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
+    """Run the command and return its exit code.
+
+    Errors of click and of a closed output are printed as sentences.
+    """
     try:
         import click
     except ImportError:
@@ -84,5 +88,6 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
 
 
 def _drop_output(*streams: int) -> None:
+    """Discard the buffered text of standard output (1) and standard error (2)."""
     for stream in streams:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)

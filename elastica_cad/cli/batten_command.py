@@ -238,6 +238,10 @@ def _quantities(strip: Strip) -> dict[str, Any]:
 
 
 def _stock(chosen: Chosen) -> ThicknessLaw | RoundLaw:
+    """Return the section of the batten's stock: a strip of varying thickness, or a rod of varying diameter.
+
+    The least size is a quarter of the largest by default.
+    """
     refuse_idle(
         {"bore": ("rod",), "leaves": ("stock",)},
         {"leaves": ("stations", "every", "weight"), "every": ("stations",)},
@@ -257,6 +261,7 @@ def _stock(chosen: Chosen) -> ThicknessLaw | RoundLaw:
 
 
 def _stations(chosen: Chosen) -> FloatArray:
+    """Return the arc lengths, mm, of the rows of the table."""
     length, every = chosen["length"], chosen["every"]
     if every is None:
         return np.linspace(0.0, length, chosen["stations"])
@@ -271,6 +276,7 @@ def _stations(chosen: Chosen) -> FloatArray:
 
 
 def _write(strip: Strip, stations: FloatArray, report: dict[str, Any], chosen: Chosen) -> tuple[Path, ...]:
+    """Write the table, the drawings and, if their libraries are installed, the PDF and the STEP file."""
     name, drawing = file_word(chosen["name"]), bench_drawing(strip, stations)
     files = [
         text_file(f"{name}.csv", bench_csv(strip, stations)),

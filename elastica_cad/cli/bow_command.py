@@ -192,6 +192,10 @@ def _material(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
 
 
 def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
+    """Return the rows of the report.
+
+    Without a Young's modulus, the force of the cord is stated for known kinds of rods.
+    """
     strip, pull = result.strip, report["pull_N"]
     angles = dict.fromkeys(f"{angle:.1f}" for angle in np.degrees(np.abs(result.end_angles)))
     rods = known_rods() if pull is None else {}
@@ -217,6 +221,7 @@ def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
 
 
 def _curve_row(result: Bow, far: Length) -> Row:
+    """Return the row on the distance of the bow from the drawn curve, a warning if it is large."""
     noun = "strip" if result.strip.layout.size is None else "rod"
     even = (
         f"; a {noun} of constant section cannot follow it exactly"
@@ -281,6 +286,10 @@ def _write(
     name: str,
     chosen: Chosen,
 ) -> tuple[Path, ...]:
+    """Write the table, the report, the drawings and, if matplotlib is installed, the picture.
+
+    A round rod has no drawing.
+    """
     stem, strip = f"{name}-bow", result.strip
     curves = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(strip.rod.curve)]}
     files = [

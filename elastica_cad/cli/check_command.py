@@ -209,6 +209,7 @@ class _Check:
         return report, 0 if report["realizable"] and not report.get("undecided") else NOT_REALIZABLE
 
     def _report(self) -> PlainData:
+        """Return the report of the check as plain data, with the advice and, for a possible curve, its sheets."""
         verdict, smoothing = self.verdict, self.spec.smoothing
         outcome = self._smoothed()
         report = report_check(verdict)
@@ -224,6 +225,7 @@ class _Check:
         return report
 
     def _smoothed(self) -> tuple[Refusal, ...]:
+        """Return a sentence on whether a strip can take the smoothed curve, for refused noisy points."""
         points = measured_points(self.verdict.curve)
         if self.verdict.realizable or points is None or points.outlier or not_tried(self.requested.curve):
             return ()
@@ -252,6 +254,7 @@ class _Check:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def enlarging(self, report: PlainData) -> str:
+        """Return how to enlarge a curve that is too tight for all sheets, after a test, or ""."""
         least = report["sheets"][0]
         if (
             least["scale"] <= 1
@@ -274,6 +277,7 @@ class _Check:
         return "" if larger is None else f"Enlarge the curve for {least['name']}: {self.typed(larger)}."
 
     def typed(self, suggestion: "Suggestion") -> str:
+        """Return the command that makes the strip with a suggested change."""
         from elastica_cad.cli.strip_options import typed_change
 
         spec = suggestion.requests[0]
@@ -320,6 +324,10 @@ def _widths_row(ratio: float) -> Row:
 
 
 def _sheets_row(sheets: Sequence[PlainData], question: str) -> Row:
+    """Return the row on sheets that fit. It names first, for each kind, the sheet closest to its strain limit.
+
+    `question` asks about the unit if the size is improbable.
+    """
     if question:
         return warning_row(f"none at this size. {question}", "Sheets")
     tightest_first = [Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1]
@@ -356,6 +364,7 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
 
 
 def _report_on_elements(rod: Rod) -> PlainData:
+    """Return the stability of a strip on rails, pins or ties, and the side of each bar."""
     verdict, sides = stability(rod), []
     for action in rod.between:
         if isinstance(action.element, Rail):

@@ -136,6 +136,7 @@ class _Sentences(click.Group):
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
+        """Run a command with its spelling of options in messages, and print errors as sentences."""
         before = MADE_BY.set(command_of_drawings(ctx.meta[TYPED]))
         ctx.call_on_close(lambda: MADE_BY.reset(before))
         spelled = SPELLING.set(_spelled)
@@ -178,6 +179,7 @@ ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
 
 
 def _common_options_first(args: list[str]) -> list[str]:
+    """Return the words with the options of `elastica` before the command, so that they can be typed anywhere."""
     first: list[str] = []
     remaining: list[str] = []
     words = iter(args)
@@ -201,6 +203,7 @@ def _records_of(context: click.Context) -> list[Record]:
 
 
 def _instead_of(problem: click.NoSuchOption) -> str:
+    """Return the sentence on an unknown option, with the option or the key of a file that was probably meant."""
     typed, context = problem.option_name, problem.ctx
     assert context is not None
     command, word = context.command_path, typed.lstrip("-")
@@ -248,6 +251,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
 
 def _usage_message(problem: click.UsageError, context: click.Context | None) -> str:
+    """Return the message of an error in typed words, with what is needed instead."""
     match problem:
         case click.NoSuchOption():
             return _instead_of(problem)
@@ -325,6 +329,7 @@ def _complete(command: click.Command) -> click.Command:
     )
 
     def run_with_root_options(**chosen: Any) -> None:
+        """Run the command with the options of `elastica`: once, or with --watch after each change of its files."""
         root_options = click.get_current_context().find_root().params
         watched = bool(root_options.get("watch"))
         voice().quiet = bool(root_options.get("quiet"))
@@ -358,6 +363,7 @@ def _complete(command: click.Command) -> click.Command:
 
 
 def _check_numbers(chosen: Chosen) -> None:
+    """Refuse numbers that are not finite or far too large."""
     context = click.get_current_context()
     for option in context.command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
@@ -400,6 +406,7 @@ def _output_flag(*names: str, help: str) -> click.Option:
 
 
 def _run_once(run: Any, chosen: Chosen, in_mm: list[str]) -> None:
+    """Run a command, and print its answer, also if it ends with an exit code."""
     voice().begin()
     for sentence in in_mm:
         warn(sentence)
@@ -418,6 +425,10 @@ def _run_once(run: Any, chosen: Chosen, in_mm: list[str]) -> None:
 
 
 def _refuse(problem: ElasticaError) -> int:
+    """Print an error with suggestions, and return its exit code.
+
+    An undecided check is not introduced as an error.
+    """
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = FIRST_WORDS.get(type(problem), ""), exit_code(problem)

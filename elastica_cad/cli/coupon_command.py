@@ -123,6 +123,10 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
 
 
 def _sheet_of_coupon(chosen: Chosen) -> Sheet:
+    """Return the sheet of the coupon.
+
+    Without a name of a known sheet, modulus and strain limit are assumed.
+    """
     thickness, density = chosen["thickness"], chosen["density"]
     if thickness is not None:
         plausible_number(thickness, "thickness_mm", "--thickness")
@@ -149,6 +153,7 @@ def _sheet_of_coupon(chosen: Chosen) -> Sheet:
 
 
 def _library_folder() -> Path:
+    """Return the folder in which a measured sheet is found by later commands."""
     places = library_folders()
     if not places:
         raise InputError(
@@ -164,6 +169,7 @@ def _library_folder() -> Path:
 
 
 def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
+    """Compute the properties of a sheet from measured droops, write its file, and print them with warnings."""
     measured, least_radius = chosen["measured"], chosen["least_radius"]
     is_listed, name = chosen["sheet"] is not None, chosen["name"] or f"my-{sheet.name}"
     output = _library_folder() if chosen["keep"] else chosen["output"]

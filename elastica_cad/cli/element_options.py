@@ -70,6 +70,7 @@ def _fields(name: str) -> list[Field]:
 
 
 def _types(field: Field) -> Iterator[tuple[Any, str]]:
+    """Yield the type and the name of each value of a field: two values for X and Y."""
     if field.option.unit == "mm":
         yield Place(), field.name.upper()
     elif field.option.unit == "g":

@@ -73,6 +73,10 @@ def _in_words(kind: Kind) -> str:
 
 
 def _explanation(path: str, option: str) -> str:
+    """Return the explanation of a key with its values, bounds, default and keys below it.
+
+    `option` is how a command sets the key.
+    """
     record, key = next(
         ((record, f"{table}{path}") for record, table in FORMS if f"{table}{path}" in paths_of(record)),
         (DesignKeys, path),
@@ -115,6 +119,7 @@ def _explanation(path: str, option: str) -> str:
 
 
 def _list_of_keys() -> str:
+    """Return all keys by group, down to the second level."""
     keys = paths_of(CommandKeys)
     heads = {f"{group}:": group for group in GROUPS} | {"whole models, in design files:": ""}
     lines = []

@@ -179,6 +179,7 @@ def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
 
 
 def _report(contents: KitContents, kit: Kit, output: Path) -> None:
+    """Print the rows on a model. Strips whose size and accuracy are equal have one row."""
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
     model, cut_list, held = contents.model, contents.cut_list, contents.held or {}
@@ -234,6 +235,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
+    """Print the most important notes, one of each kind, and where to find the others."""
     model = contents.model
     messages = [*contents.notes, *model.reports, *_warnings(contents)]
     if old := left_behind(kit, output):
@@ -265,6 +267,7 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _warnings(contents: KitContents) -> Iterator[Refusal]:
+    """Yield the warnings about strips, except those to which another note already has a remedy."""
     model = contents.model
     far = far_parts(model, contents.deviations)
     for part in model.parts:

@@ -64,6 +64,7 @@ def new(kind: str, output: Path, force: bool) -> None:
 
 
 def _bowl() -> str:
+    """Return an OBJ file with the mesh of a bowl, for an example."""
     t = np.linspace(0.0, 1.0, UP)[:, None]
     turn = 2 * np.pi * np.arange(AROUND) / AROUND
     least, bulge, height = 60.0, 45.0, 140.0  # least radius, bulge and height, mm

@@ -102,6 +102,10 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
+    """Return the type of an option, and its metavar, for a field.
+
+    A length may also be one of the field's words.
+    """
     from elastica_cad.design.records import written
 
     kinds = written(field.kind).alternatives

@@ -117,6 +117,7 @@ def pair(**chosen: Any) -> None:
 
 
 def _made(spec: FlexureSpec) -> Flexure:
+    """Return the part. If it must be enlarged, the error names the needed --scale."""
     try:
         return spec.make()
     except InputError as problem:
@@ -127,6 +128,7 @@ def _made(spec: FlexureSpec) -> Flexure:
 
 
 def _spec_of(chosen: Chosen, settings: dict[str, Any]) -> FlexureSpec:
+    """Return the request. The states are named as the curves in the file, if these have different names."""
     if chosen["sheet"] is None:
         raise InputError("The sheet is missing. Run elastica pair FIRST SECOND --sheet NAME.")
     first, second = _curves(chosen)
@@ -138,6 +140,7 @@ def _spec_of(chosen: Chosen, settings: dict[str, Any]) -> FlexureSpec:
 
 
 def _curves(chosen: Chosen) -> tuple[RequestedCurve, RequestedCurve]:
+    """Return the two curves: of one file with two curves, of two files, or as chosen."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
         curves = requested_curves(path, unit, None, None, every=True, split=True, corners=False)

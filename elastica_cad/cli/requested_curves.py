@@ -43,6 +43,7 @@ def curve_argument(*, required: bool = True) -> Callable[[F], F]:
 
 
 def _standard_input(ctx: click.Context) -> Path:
+    """Return a temporary file with the data of standard input, and a suffix for its format."""
     if ctx.find_root().params.get("watch"):
         raise InputError("--watch needs a file; standard input cannot be watched. Name a file.")
     data = sys.stdin.buffer.read(LARGEST_FILE + 1)
@@ -138,6 +139,7 @@ class RequestedCurve:
 
     @contextmanager
     def _with_place_in_errors(self) -> Iterator[None]:
+        """Add the file, and the curve if it has several, to errors that do not name the file."""
         try:
             yield
         except InputError as problem:

@@ -121,6 +121,7 @@ def _map_of_options(
     handles: tuple[tuple[float, float, float, float], ...],
     corners: dict[str, tuple[float, float]],
 ) -> FloatArray:
+    """Return the projective map (3, 3) that moves corners of the frame around the curves, or four handles."""
     if corners:
         return map_corners(curves, corners)
     if not handles:

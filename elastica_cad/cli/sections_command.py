@@ -205,6 +205,7 @@ def _option_that_splits(message: str, chosen: Chosen) -> str:
 
 
 def _require_one_family(chosen: Chosen) -> None:
+    """Refuse several options for the cutting planes, and options that have no effect."""
     families = {
         "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
         "--offset": chosen["offsets"], "--along": chosen["along"],
@@ -235,6 +236,7 @@ def _spec(chosen: Chosen, surface: Surface) -> SectionSpec:
 
 
 def _cuts(chosen: Chosen, surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
+    """Return the cutting planes; by default through the middle of the surface, and across its longest extent."""
     if chosen["along"]:
         path = read_path_points(chosen["along"])
         if len(path) < 2:
@@ -291,6 +293,7 @@ def _verdict(curve: SectionCurve) -> dict[str, Any]:
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
+    """Return the curves side by side, for one drawing."""
     placed, x = [], 0.0
     for curve in curves:
         (lowest_x, low), (highest_x, _) = curve.bounds

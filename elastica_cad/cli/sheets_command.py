@@ -96,6 +96,7 @@ def sheets(name: str | None) -> None:
 
 
 def _sources(source: str) -> Iterator[tuple[str, str]]:
+    """Yield the rows on the sources of a sheet's properties, from its text of all sources."""
     labels = "|".join(SOURCE_LABELS)
     parts = [part for part in re.split(rf"; (?=(?:{labels})(?:: | not ))", source) if part]
     if parts:
@@ -113,6 +114,7 @@ def _in_range(limits: tuple[float, float] | None, factor: float = 1.0) -> str:
 
 
 def _published_radii(sheet: Sheet) -> dict[str, str]:
+    """Return the row on published radii of plywood; none for other sheets."""
     along, across = (least_plywood_radius(sheet.thickness, direction) for direction in ("along", "across"))
     if sheet.kind != "plywood" or along is None or across is None:
         return {}

@@ -198,6 +198,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
 def _save_design(
     path: Path, curves: Sequence[RequestedCurve], table: Mapping[str, Any], *, force: bool
 ) -> Path:
+    """Write a design file with the strips of a command, and return its path."""
     shared = {
         key: value for key, value in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
     }
@@ -238,6 +239,7 @@ def _refused_request(
 
 
 def _is_output_occupied(requested: RequestedCurve, chosen: Chosen) -> bool:
+    """Return True if files of a strip would overwrite other files, or the drawing itself."""
     folder: Path = chosen["output"]
     parent_folder = next(
         parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists()
@@ -250,6 +252,7 @@ def _is_output_occupied(requested: RequestedCurve, chosen: Chosen) -> bool:
 
 
 def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
+    """Yield the suggestion to compensate the widths, if that makes the strip clearly more accurate."""
     strip = result.strip
     if result.spec.compensate or result.spec.section is not None:
         return
@@ -286,6 +289,10 @@ def _report_briefly(
     written: Sequence[Path],
     alike: dict[str, list[tuple[str, Row]]],
 ) -> None:
+    """Print size and deviation of a strip.
+
+    Collect its warnings in `alike`, so that equal warnings are printed once.
+    """
     strip, near = result.strip, result.near
     for row in _rows(result):
         if row.stops:

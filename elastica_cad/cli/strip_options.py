@@ -74,6 +74,7 @@ CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split
 
 
 def _arguments_of(change: Change) -> tuple[str, ...]:
+    """Return the words of the command line that make a suggested change; none if no option does."""
     if change.field == "between":  # the class gives the option (--rail, --pin, --tie)
         record: Any = type(change.value)
         places = [
@@ -108,6 +109,7 @@ def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = 
 
 
 def _names_of_common_keys() -> dict[str, str]:
+    """Return the names of the options for common keys, by the path of each key."""
     keys, names = paths_of(CommandKeys), {}
     for path in keys:
         # the key itself, and the keys of the tables that contain it
