@@ -37,6 +37,7 @@ def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[],
     names = sorted(homes)
 
     def get(name: str) -> Any:
+        """Return the module or the object with a listed name, imported on first use."""
         if name not in homes:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         home = homes[name]

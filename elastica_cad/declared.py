@@ -246,6 +246,7 @@ def _fits(value: Any, kind: Kind, option: Option) -> bool:
 
 
 def _valid_values(kind: Kind, option: Option) -> str:
+    """Return in words which values an option accepts, for messages."""
     if kind.name == "choice":
         return note("one of {choices}", choices=", ".join(kind.choices))
     if kind.name == "table":

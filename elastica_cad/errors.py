@@ -313,6 +313,7 @@ def rounded_down(value: float, figures: int = 4) -> float:
 
 
 def _rounded(value: float, figures: int, *, up: bool) -> float:
+    """Return a positive number with `figures` significant digits, rounded up or down."""
     if not (isfinite(value) and value > 0):
         return value
     step = 10.0 ** (floor(log10(value)) - figures + 1)

@@ -520,6 +520,7 @@ def _with_places(text: str, where: Mapping[str, Any]) -> str:
 
 
 def _plain(value: Any) -> Any:
+    """Return a value as plain data for JSON. Quantities are numbers in the shown unit."""
     if isinstance(value, bool | str) or value is None:
         return value
     if isinstance(value, Quantity):

@@ -82,6 +82,7 @@ class Layer(_Pickled, bd.Solid):
 
 class _Jointed(_Pickled):
     def _apply_transform(self: Any, transformation: Any) -> Any:
+        """Return the transformed object with its joints, which build123d would otherwise leave behind."""
         image = bd.Shape._apply_transform(self, transformation)
         occt.lock(image.wrapped)
         image.joints = {}

@@ -280,6 +280,7 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
 
 
 def _placed_part(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
+    """Return a part at its place in the assembly, with names and colours of its layers."""
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:
         child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)

@@ -196,6 +196,7 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
 
 
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
+    """Return the shapes of a part: the base, which keeps the strip and its joints, and sheets glued on it."""
     base, *glued_on = map(cq.Solid, occt.make_sheets(part.solids))
     if part.strip is not None:
         joints = part.solids[0].joints

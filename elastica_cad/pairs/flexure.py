@@ -548,9 +548,7 @@ class Flexure:
 
     @property
     def _label_texts(self) -> tuple[Text, ...]:
-        """The label on the pad, along or across it, whichever can be larger; none if it would be too small to
-        read.
-        """
+        """The label on the pad, along or across it, whichever can be larger; none if it would be too small."""
         near, far = self.hole_places(self.centre)[0]
         along, across = float(norm(far - near)) - self.pad.hole - 2, self.pad_width - 2
         x, y = ((near + far) / 2).tolist()

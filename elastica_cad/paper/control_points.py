@@ -422,6 +422,7 @@ def _step(
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
+    """Return the indices of the eight highest local maxima of values (n,) above a level."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
     return peaks[np.argsort(-values[peaks], kind="stable")[:8]]
