@@ -112,8 +112,8 @@ class FoundMeridian:
 def _search_meridian(points: FloatArray) -> FoundMeridian:
     """Return the meridian through three to five points (n, 2), or the nearest meridian.
 
-    For more than five points, or if no meridian passes through the points, the sum of squared distances is
-    minimised. The points are scaled to an extent of about 1, and the axis is x = 0.
+    For more than five points (four, if the last is on the axis), or if no meridian passes through the points, the
+    sum of squared distances is minimised. The points are scaled to an extent of about 1, and the axis is x = 0.
     """
     if norm(np.diff(points, axis=0)).min() == 0:
         raise InputError("two adjacent points of the meridian are equal: remove one of them")

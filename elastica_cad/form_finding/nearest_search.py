@@ -178,7 +178,10 @@ def _is_optimum(outcome: RodOutcome) -> bool:
 
 
 def _rescaled(search: Search, margin: float | None) -> Search:
-    """Repeat the search until the sections of the rod are as large as the limits allow."""
+    """Repeat the search until the sections of the rod are as large as the limits allow.
+
+    If the rod then violates the stability margin `margin`, the search is repeated with smaller sections.
+    """
     for _ in range(SETTINGS.rescalings):
         settled = search.task.settled(search.best.point)
         # without weight, the shape does not depend on the scale

@@ -313,7 +313,10 @@ class _RunIndex:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """Remove runs and parts of runs that overlap longer runs. Return all other runs, and the overlaps."""
+    """Remove runs and parts of runs that overlap longer runs. Return all other runs, and the overlaps.
+
+    Overlaps of runs with different layers or names are only reported.
+    """
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []

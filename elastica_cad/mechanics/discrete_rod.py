@@ -261,7 +261,8 @@ def largest_of_inverse(
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
     """Return D, L and a shift below all eigenvalues of a tridiagonal matrix A, with A - shift = L D L^T.
 
-    The shift is below the lowest eigenvalue by 0.3 times the distance to eigenvalue number `last`.
+    The shift is below the lowest eigenvalue by 0.3 times the distance to eigenvalue number `last`, or by more if
+    rounding errors require it.
     """
     reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / diagonal.size**2

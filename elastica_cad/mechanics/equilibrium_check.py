@@ -149,7 +149,8 @@ def _with_unbent_ends(
 ) -> EquilibriumCheck:
     """Make almost unbent ends exactly unbent, with the same positions and tangents, and check the curve again.
 
-    Keep the original curve if the new curve differs from it by more than `tolerance` times the length.
+    Keep the original curve if the new curve differs from it by more than `tolerance` times the length, or has new
+    inflections near its ends.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check

@@ -502,8 +502,8 @@ def _best_numbers_near(
 ) -> FloatArray | None:
     """Return the parameters near `here` that minimise the largest stiffness of the family, or None.
 
-    The root mean square change of the values is at most `reach`. If there is no solution, this limit is increased
-    up to 64 times.
+    The root mean square change of the values is at most `reach`. If there is no solution, this limit is increased,
+    up to 64-fold.
     """
     rows = family.dense[:, :-1]
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)

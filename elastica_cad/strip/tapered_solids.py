@@ -153,7 +153,10 @@ class RoundSolid:
         return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return axis points (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,), mm."""
+        """Return axis points (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,), mm.
+
+        Tabs, at s < 0 and beyond the length, are straight cylinders.
+        """
         length, size = self.strip.rod.length, self.strip.layout.size
         assert size is not None
         within = s.clip(0.0, length)
