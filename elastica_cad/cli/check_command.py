@@ -180,6 +180,7 @@ class _Check:
 
     @cached_property
     def verdict(self) -> EquilibriumCheck:
+        """Result of the check. With rails, pins or ties, a linear program decides."""
         check = self.spec.check
         if not self.between:
             return check
@@ -292,6 +293,7 @@ class _Check:
 
 
 def _rows(report: PlainData) -> list[Row]:
+    """Return the rows of the report. An undecided check has the notes as details."""
     notes = [text for text in report.get("notes", ()) if text not in report["advice"]]
     if report.get("undecided"):
         verdict = Row("Verdict", report["advice"], notes, "error")

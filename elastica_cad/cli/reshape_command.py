@@ -147,6 +147,7 @@ def _map_of_options(
 
 
 def _strip_data(curve: PlaneCurve) -> dict[str, Any]:
+    """Return the length of a curve and whether a strip can take it, with the least ratio or the reasons."""
     measured = {"length": curve.length, "realizable": False, "inflections": (), "ratio": None}
     try:
         require_bendable(curve)

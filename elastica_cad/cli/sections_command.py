@@ -279,6 +279,7 @@ def _strip_keys(chosen: Chosen, output: Path) -> dict[str, Any]:
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:
+    """Return whether a strip can take the curve of a section, with the least ratio or the problem."""
     verdict: dict[str, Any] = {
         "name": curve.name, "length": curve.curve.length, "deviation": curve.deviation, "realizable": False,
         "ratio": None, "problem": None,

@@ -223,6 +223,7 @@ def _curve_keys(requested: RequestedCurve, folder: Path) -> dict[str, Any]:
 
 
 def _solve(requested: RequestedCurve, spec: StripSpec, *, unmarked: bool) -> StripResult:
+    """Return the strip for a curve. A curve with corners is refused first, unless it may change."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = requested.bendable(spec.smooth)
@@ -324,6 +325,7 @@ def _report(
     *,
     several: bool,
 ) -> None:
+    """Print the rows on a strip, and its files. `several` is True if the command makes several strips."""
     strip, tabs = result.strip, result.spec.tabs_message
     joined = [
         f"It {end} at corner {joint} of the curve, where another strip has an end"

@@ -261,7 +261,7 @@ def spec_from_options(
 ) -> StripSpec:
     """Return the `StripSpec` that the table of the options defines. Errors name the options.
 
-    The keys `curve`, `cut` and `files` of the table are no fields of a strip: the command reads the curve and
+    The keys `curve`, `cut` and `files` of the table are not fields of a strip: the command reads the curve and
     writes the files.
     """
     keys = {

@@ -216,6 +216,7 @@ def _as_json(value: Any) -> Any:
 
 
 def _decoded(value: Any) -> Any:
+    """Return the value that `_as_json` converted."""
     if isinstance(value, Mapping):
         values = {key: _decoded(item) for key, item in value.items() if key != "record"}
         if value.get("record") == NominalRatio.__name__:

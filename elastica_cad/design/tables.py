@@ -217,6 +217,7 @@ def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
 
 
 def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
+    """Return the value of a formula that `_require_arithmetic` accepted."""
     match node:
         case ast.Constant(value=int() | float() as number):
             return float(number)

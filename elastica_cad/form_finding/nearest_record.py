@@ -202,6 +202,7 @@ class NearestRod:
 
 
 def _advise(near: NearestRod) -> Iterator[str]:
+    """Yield instructions: which limits to relax, and how much nearer the rod would then be."""
     if near.found is None:
         return
     if near.ties:

@@ -123,6 +123,7 @@ SETTINGS = SearchSettings()
 
 
 def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
+    """Return the nearest rod. If the first rod is not exact, smaller sections are searched too."""
     search = _search(task.without_followed_margin, None if start is None else start.ended)
     smaller = task.in_smaller_sections
     if smaller is not None and (search.best.violation > MET or search.off > SETTINGS.exact_distance):

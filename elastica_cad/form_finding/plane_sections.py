@@ -271,6 +271,10 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
+    """Return why a plane has no section: it misses or only touches the mesh.
+
+    `height` is that of the vertices.
+    """
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:

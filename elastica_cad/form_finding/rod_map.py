@@ -442,6 +442,10 @@ class StripGrid:
         return Sensitivities(self, rod, *derivatives)
 
     def _sensitivities_in_python(self, rod: MappedRod, columns: int, to_equilibrium: bool) -> Sensitivities:
+        """Return the derivatives of a rod, as the compiled version does.
+
+        With `to_equilibrium`, the last column is the change that brings the rod into equilibrium.
+        """
         n, u = self.edges, self.unknowns
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares

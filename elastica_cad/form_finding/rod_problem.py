@@ -276,6 +276,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
 
 
 def _constraints(task: NearestTask) -> list[Constraint]:
+    """Return the conditions of the request: kept ends, points and lines, supports of the end, and limits."""
     target, limits, keep = task.target, task.limits, task.keep
     end = task.request.supports.ends[1]
     constraints: list[Constraint] = []
@@ -477,6 +478,7 @@ def _ratio_title(limits: Limits) -> str:
 
 
 def _end_title(task: NearestTask, index: int) -> str:
+    """Return the name of an end in messages by its side, such as "the angle at the left end"."""
     target = task.target
     off = target.position[-index] - target.position[index - 1]
     across = 0 if abs(off[0]) >= abs(off[1]) else 1

@@ -518,6 +518,7 @@ def _deviation_message(
 
 
 def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:
+    """Return the message on a bend that is a corner for a strip, if there is one."""
     samples = curve.sample(SAMPLES)
     worst = np.abs(samples.curvature).argmax()
     kappa = abs(float(samples.curvature[worst]))

@@ -391,6 +391,7 @@ def read_step_shape(path: Path) -> Shape:
 
 
 def _read_shape(path: Path) -> Shape:
+    """Return the shape in a STEP or BREP file."""
     k = kernel()
     if path.suffix.lower() in (".brep", ".brp"):
         shape = k.TopoDS_Shape()

@@ -266,6 +266,7 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
 
 
 def _frame_of(plane: Any) -> Frame:
+    """Return the frame of a plane of build123d or CadQuery, whose attributes have different names."""
     if isinstance(plane, Frame):
         return plane
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):

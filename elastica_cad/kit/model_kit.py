@@ -353,6 +353,7 @@ def _sawn(item: Stock) -> str:
 
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
+    """Return the line on printed blocks and their files; none without blocks."""
     count = len(contents.blocks)
     if not count:
         return []

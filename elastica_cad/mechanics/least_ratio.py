@@ -536,6 +536,7 @@ def _slack_in(balance: BalancedStiffness) -> tuple[ElementForce, ...]:
 
 
 def _slack_warnings(request: RodRequest, balance: BalancedStiffness) -> Iterator[str]:
+    """Yield warnings about elements with so little force that they may become slack, with a remedy."""
     slack = _slack_in(balance)
     width, height = np.abs(np.diff(request.nodes.position[[0, -1]], axis=0)[0])
     support: EndName = "slide-x" if width >= height else "slide-y"

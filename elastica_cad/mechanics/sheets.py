@@ -82,6 +82,7 @@ def plausible_number(value: object, key: str, where: str, name: str | None = Non
 
 
 def _advise_key(key: str) -> str:
+    """Return the continuation of a message on an unknown key: the correct spelling, similar keys, or all keys."""
     keys = sheet_keys()
     for match, entry in keys.items():
         stem = entry.name
@@ -228,6 +229,7 @@ def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> Refusal:
 
 
 def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield the name and the fields of each sheet of an entry in the library, one for each thickness."""
     thicknesses = entry["thickness_mm"]["value"]
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
@@ -297,6 +299,7 @@ def library_files() -> tuple[Path, ...]:
 
 
 def _read_table(path: str | Path) -> object:
+    """Return the tables of the sheets in a file, not yet checked."""
     import tomllib
 
     path = require_path(path)
@@ -332,6 +335,7 @@ def _read_table(path: str | Path) -> object:
 
 
 def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
+    """Return the fields of the sheet `name` in a file, and refuse unknown or missing keys."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(f"{where} is {quoted(entry)}; write a table [sheets.{name}]")
@@ -599,6 +603,7 @@ class Sheet:
         return turned[degrees % 180]
 
     def _check_range(self, field_name: str, value: float) -> None:
+        """Refuse a range of a property that does not contain the property's value, and store it as a pair."""
         limits = getattr(self, f"{field_name}_range")
         if limits is None:
             return

@@ -180,6 +180,7 @@ class SidewaysSection:
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
+    """Return G / E; without `shear_ratio`, that of an isotropic sheet."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -497,6 +498,7 @@ def _lowest(lower: FloatArray, rows: FloatArray, terms: FloatArray) -> float:
 
 
 def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
+    """Return widths or thicknesses, mm, at stations s. An array has values at equal distances."""
     if isinstance(width, Profile):
         sizes = np.asarray(width(s), dtype=float)
     else:

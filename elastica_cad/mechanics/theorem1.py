@@ -493,6 +493,10 @@ The turn must also be less than `SMOOTH_TURN`, above which `corner_points` retur
 
 
 def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
+    """Return the message on corners of a curve.
+
+    It asks for more points if rounding, or too few points, make the corners uncertain.
+    """
     provenance = curve.provenance
     maybe = {} if provenance is None else {turn.t: turn for turn in provenance.undecided}
     if provenance is not None and all(corner.t in maybe for corner in corners):
@@ -521,6 +525,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 
 def _seam_message(curve: PlaneCurve) -> str:
+    """Return the message on a corner where the ends of a closed curve meet."""
     provenance = curve.provenance
     start = curve.evaluate(curve.domain[0])
     if provenance is not None:
@@ -845,6 +850,7 @@ def _smaller_slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> 
 def _pinned_end_reasons(
     excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
 ) -> Iterable[str]:
+    """Yield a reason for each end that is free to turn but has another curvature than the unloaded strip."""
     curve = excess.curve
     for name, support, t, s in zip(
         ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
@@ -866,6 +872,7 @@ def _pinned_end_reasons(
 def _straight_part_reasons(
     excess: ExcessCurvature, supports: Supports, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
+    """Yield a reason for each straight part, where the stiffness beside the joint or the moment would be 0."""
     curve = excess.curve
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))

@@ -494,6 +494,7 @@ def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:
 
 
 def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _Outcome:
+    """Return the deviation, mm, of an imperfect strip, or None without rest shape, and True if it has snapped."""
     if imperfection == Imperfection():
         return _Outcome(0.0, False)
     try:

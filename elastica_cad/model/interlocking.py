@@ -416,6 +416,7 @@ def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
 
 
 def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
+    """Return messages on crossings at small angles, and on the order of assembly."""
     shallow: dict[tuple[int, int], list[Joint]] = {}
     for joint in joints:
         if joint.angle[0] < SHALLOW_RAD:

@@ -371,6 +371,7 @@ def _flat_gluing(model: Model) -> Iterator[str]:
 
 
 def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
+    """Yield what the table of steps does not state: glue joints, engraved marks, and the distance of plates."""
     plates = _plates(holders)
     closed = [part.name for part in model.parts if part.strip.is_closed]
     if closed:

@@ -308,6 +308,10 @@ def _figure(
 
 
 def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> None:
+    """Draw the flat strips below each other with their names and sizes.
+
+    `longest` is the length of the longest, mm.
+    """
     y = 0.0
     for part in parts:
         strip = part.strip

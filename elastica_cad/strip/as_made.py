@@ -576,6 +576,7 @@ class StripAsMade:
         return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> Iterator[str]:
+        """Yield notes on effects that the model neglects for this strip."""
         sheet = self.layout.sheet
         if (
             sheet.grain != "none"

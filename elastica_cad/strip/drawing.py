@@ -269,6 +269,7 @@ def _compensated(drawing: Drawing, kerf: float, tolerance: float) -> Drawing:
 
 
 def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
+    """Refuse compensated closed cuts that meet each other."""
     if len(loops) < 2:
         return
     bounds = np.array([loop.bounds for loop in loops])

@@ -175,6 +175,7 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, least: float
 ) -> str:
+    """Return the message that no scale of the stiffness fits both the softest and the stiffest place."""
     i, j, w1 = fits.lowest_at, fits.highest_at, np.asarray(section.base_width)
     ways: list[Refusal] = []
     try:

@@ -813,6 +813,7 @@ class Strip:
 
     @property
     def _label_notes(self) -> Iterator[str]:
+        """Notes on a label that is engraved as a number, or is not engraved at all."""
         if not self.engraved or self.unmarked:
             return
         if self.number:

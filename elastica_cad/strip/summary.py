@@ -434,6 +434,7 @@ def _rounded_move(mm: float, most: float) -> Length | Refusal:
 
 
 def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
+    """Return what a rail, pin or tie does to the strip, with its force, or that it is slack."""
     if action.is_one_sided and not force:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
         gap = -violation(action, ShapeOfRod.of(rod))

@@ -618,6 +618,7 @@ def change_to_nearest(rod: Rod) -> tuple[Change, ...]:
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
+    """Return where a thin place is: in a tab, or at an arc length."""
     length = strip.rod.length
     if place.x < 0:
         return note("in the tab at its start, {into} from the bent part", into=Length(-place.x))

@@ -787,6 +787,7 @@ def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
 
 
 def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
+    """Return the contents of a dropped file, which is stored in `folder` to be read."""
     name, text = FilePath(str(request.get("name", ""))).name, request.get("text")
     if not isinstance(text, str) or FilePath(name).suffix.lower() not in DROPPED:
         raise InputError(
