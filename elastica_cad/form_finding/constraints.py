@@ -187,8 +187,7 @@ class Through(Constraint):
         return rod.remembered(self, lambda: self._find_foot(rod.position))
 
     def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
-        """Return the point of the rod nearest to the target: weights of four nodes, these nodes, and the unit
-        normal.
+        """Return the point of the rod nearest to the target: weights of four nodes, these nodes, and the normal.
 
         The rod is a cubic through these nodes. The point is within 0.15 of `place`.
         """

@@ -267,8 +267,9 @@ class _Search:
         return cuts, len(self.first) + np.append(0, self.steps[:, 1].cumsum())
 
     def _record(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
-        """Return the record for the unknowns x, with the rod bent anew on a finer grid with steps of the
-        stiffness.
+        """Return the record for the unknowns x.
+
+        The rod is bent anew on a finer grid, with steps of the stiffness.
         """
         places, length = self._separated(x[: self.places.size]), rod.length
         began = dict.fromkeys(self.first, 0.0)

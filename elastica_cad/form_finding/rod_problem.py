@@ -338,7 +338,7 @@ def _constraints(task: NearestTask) -> list[Constraint]:
 def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
     """Return the constraints of the stability margin.
 
-    With a section that follows the bend, its scale is unknown.
+    The margin of a section that follows the bend depends on its scale, which the search does not fix.
     """
     section, size, words = task.section, task.target.size, margin_limit(margin)
     if section is None or not task.is_scaled_freely:

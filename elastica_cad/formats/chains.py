@@ -400,7 +400,7 @@ def _part_between(run: Run, first: _Place, last: _Place) -> Run:
 
 
 def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
-    """Return for points (n, 2 or 3) whether they are on the run, within `tolerance`."""
+    """Return flags (n,): True for points on the run, within `tolerance`, mm."""
     is_near = np.zeros(len(points), dtype=bool)
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance

@@ -101,7 +101,7 @@ def _split_at_corners(segment: Segment) -> list[Segment]:
 
 
 def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment | None:
-    """Return a segment moved to its left, mm, or None for an arc that vanishes."""
+    """Return a segment moved by `left` mm to its left, or None for an arc that vanishes."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)
@@ -114,7 +114,10 @@ def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment 
 
 
 def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
-    """Return a spline moved to its left, mm, within `tolerance`. A curvature radius below this is refused."""
+    """Return a spline moved by `left` mm to its left, within `tolerance`.
+
+    A smaller radius of curvature on this side is refused.
+    """
     curve = spline.curve
     stretches = smooth_stretches(curve, 2)
     probes = np.concatenate([np.linspace(a, b, 18) for s in stretches for a, b in pairwise(s)])

@@ -76,7 +76,7 @@ def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
-    """Return the shape united with others or cut by them, as the operation says."""
+    """Return the shape after an operation of OpenCASCADE (fuse or cut) with others."""
     if not others:
         return shape
     builder = kernel().BOPAlgo_BOP()

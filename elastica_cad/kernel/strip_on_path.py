@@ -250,7 +250,7 @@ def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
 def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
     """Refuse options that a strip, or a fixture with `sizes`, does not have.
 
-    Those that are passed in another way get the advice how.
+    For options that are passed in another way, the message states this way.
     """
     from elastica_cad.strip.strip_spec import StripSpec
 

@@ -222,7 +222,7 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
-    """Return messages on faults of the parts that a limit to be ignored permits; other faults are raised."""
+    """Return messages on faults of the parts if their limits are ignored; otherwise, faults are raised."""
     messages: list[str] = []
     # pairs of layers and limits without faults, because equal strips are checked only once
     clear: set[tuple[int, FabricationLimits]] = set()

@@ -210,7 +210,7 @@ def calibrate_cantilever(
 def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatArray]:
     """Return overhangs and droops, mm, as arrays.
 
-    Refuse droops that cannot be, or do not show the stiffness.
+    Impossible droops are refused, and droops from which the stiffness cannot be computed.
     """
     lengths, drops = np.atleast_1d(numbers(overhang, "overhangs"), numbers(droop, "droops"))
     if lengths.shape != drops.shape or lengths.ndim != 1 or lengths.size == 0:

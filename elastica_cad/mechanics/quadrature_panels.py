@@ -339,7 +339,7 @@ class CutCurve:
         """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
-        # an almost straight panel would need any number of parts
+        # a limit, because almost straight panels would be divided very often
         parts = np.ceil(np.diff(panels.edge_s) * steep / 2).clip(1, 50).astype(int)
         edges = panels.edges
         inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
