@@ -76,6 +76,8 @@ def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> N
 
 
 class _OnDemand(Mapping[str, click.Command]):
+    """The commands by name, each imported when it is used."""
+
     def __getitem__(self, name: str) -> click.Command:
         return _imported(name)
 
@@ -107,6 +109,8 @@ def _quiet_pipes(context: click.Context | None = None) -> Iterator[None]:
 
 
 class _UsageRow(click.ClickException):
+    """Error in typed words, printed as one row."""
+
     exit_code = BAD_INPUT
 
     def show(self, _: Any = None) -> None:
@@ -114,6 +118,8 @@ class _UsageRow(click.ClickException):
 
 
 class _Sentences(click.Group):
+    """Command group that prints errors as sentences with suggestions."""
+
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
             return super().make_context(*args, **options)

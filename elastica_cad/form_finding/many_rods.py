@@ -169,6 +169,8 @@ def _in_order_of_completion(
 
 
 class _Task(NamedTuple):
+    """A curve with the request for its nearest rod, for a worker process."""
+
     curve: PlaneCurve
     limits: Limits | None
     keep: Keep | None

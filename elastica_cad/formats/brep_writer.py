@@ -171,6 +171,8 @@ def _placed_in_space(
 
 
 class _Tables:
+    """Tables of a BREP file: curves, surfaces and shapes, to which other records refer by index."""
+
     def __init__(self) -> None:
         self.traces: list[bytes] = []
         self.curves: list[bytes] = []

@@ -60,6 +60,11 @@ def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[
 
 @dataclass(frozen=True, eq=False)
 class _Edges:
+    """Edges of a rod, whose displacements are linear in the changes of their angles and strains.
+
+    The fields are those of `bracing_of`.
+    """
+
     tangents: FloatArray
     edge_length: float
     supports: Supports

@@ -154,6 +154,8 @@ class PolynomialLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class _YieldingLaw(MaterialLaw):
+    """Law of a material that yields: beyond `curvature_limit`, 1/mm, a part of the bend remains."""
+
     curvature_limit: float
 
     def __post_init__(self) -> None:

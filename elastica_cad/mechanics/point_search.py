@@ -187,6 +187,8 @@ def move_while_possible(
 
 @dataclass(frozen=True)
 class _Move:
+    """Move of the control point `index` of a curve along `step` (2,), mm."""
+
     curve: PlaneCurve
     index: int
     step: FloatArray

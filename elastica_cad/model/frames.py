@@ -219,6 +219,8 @@ def slotted_frame(
 
 @dataclass
 class _RailPlan:
+    """Rail of a frame before it gets slots for ribs: its name, its plane, and the slots for its tabs."""
+
     name: str
     frame: Frame
     slots: list[TabSlot]

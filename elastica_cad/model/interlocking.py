@@ -268,6 +268,8 @@ def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
 
 @dataclass(frozen=True, eq=False)
 class _Cutter:
+    """Makes the joints of pairs of strips. `marks` are the names engraved beside slots, by label."""
+
     strips: tuple[Strip, ...]
     names: tuple[str, ...]
     marks: Mapping[str, str]

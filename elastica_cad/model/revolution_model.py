@@ -316,6 +316,11 @@ Made: TypeAlias = tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, .
 
 @dataclass(frozen=True)
 class _Request:
+    """Options of a surface of revolution, for every meridian that is tried.
+
+    `narrower`, mm, is taken from the width of default tabs between two rings.
+    """
+
     strips: int
     sheet: Sheet
     ends: tuple[Tab, Tab] | None

@@ -268,6 +268,12 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 
 @dataclass
 class _Cutter:
+    """Divides loops of a flat pattern at stations.
+
+    `loops` and `chains` are the closed and open pieces of each interval between stations. `seams` have the pieces
+    along the station lines, by the indices of their corners.
+    """
+
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
     loops: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)

@@ -441,6 +441,12 @@ class Perforated:
 
 
 class _Fit:
+    """Range of the scale, N mm2, in which the net widths fit the outline, by ligaments and by the part of the
+    holes.
+
+    `s`, `w` and `K` are stations, mm, with the width of the outline, mm, and the relative stiffness.
+    """
+
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
         self.holes = 2 * style.columns * style.least_hole

@@ -256,6 +256,8 @@ def cut_slots(
 
 
 class _Edge:
+    """Edge of a strip at which slots open, as chords with their boxes for fast comparison."""
+
     def __init__(self, outline: Path) -> None:
         self.chords = [Chords.of(segment) for segment in outline.segments]
         begins, ends = (

@@ -188,6 +188,8 @@ class RoundSolid:
 
 
 class _RoundBoundary:
+    """Boundary of a round rod or tube while its faces are added."""
+
     def __init__(self) -> None:
         self.vertices: list[FloatArray] = []
         self.edges: list[Edge] = []

@@ -81,6 +81,8 @@ def text_answer(request: Mapping[str, Any], response: Any) -> bytes:
 
 
 class _PageWords(Translated):
+    """Words of the page's language, with names of fields as the page labels them."""
+
     def __init__(self, language: str) -> None:
         super().__init__(CATALOGUES.get(language, "en"))
         self.point = "," if language == "de" else "."
