@@ -441,10 +441,10 @@ class Perforated:
 
 
 class _Fit:
-    """Range of the scale, N mm2, in which the net widths fit the outline, by ligaments and by the part of the
-    holes.
+    """Range of the scale, N mm2, in which the net widths fit the outline.
 
-    `s`, `w` and `K` are stations, mm, with the width of the outline, mm, and the relative stiffness.
+    Ligaments and the largest part of holes limit it. `s`, `w` and `K` are stations, mm, with the width of the
+    outline, mm, and the relative stiffness.
     """
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
