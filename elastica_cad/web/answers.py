@@ -311,7 +311,8 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
 def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | NearestRod, Strip] | None:
     """Return the rod and the strip, or None if the strip is impossible. The reason is not computed.
 
-    With `hold["strain"]`, a strip above the strain limit of its sheet is impossible too.
+    A strip narrower than the workshop can cut is impossible. With `hold["strain"]`, a strip above the strain limit
+    of its sheet is impossible too.
     """
     with suppress(ElasticaError):
         if _curve_breaks_strip(spec):
@@ -852,7 +853,10 @@ def _open_saved(_: Mapping[str, Any], saved: FilePath | None) -> Record:
 
 
 def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """Save the design. If another program has changed the file, return its new contents instead."""
+    """Return the text of the design and the mark of the file, for the server to write the file.
+
+    If another program has changed the file, return its new contents instead.
+    """
     before, mark = "", file_mark(saved)
     if saved is not None and not request.get("copy"):
         if request.get("mark") != mark:
