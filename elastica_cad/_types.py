@@ -1,4 +1,4 @@
-"""Types of arrays, and of fields that accept more types than they store."""
+"""Types of arrays and points, and of fields that accept more types than they store."""
 
 from dataclasses import field
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
@@ -9,8 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 FloatArray: TypeAlias = NDArray[np.float64]
 IntArray: TypeAlias = NDArray[np.intp]
 BoolArray: TypeAlias = NDArray[np.bool_]
+Pair: TypeAlias = tuple[float, float]
+Triple: TypeAlias = tuple[float, float, float]
 
-__all__ = ["EMPTY", "ArrayLike", "BoolArray", "FloatArray", "IntArray", "Takes", "required"]
+__all__ = ["EMPTY", "ArrayLike", "BoolArray", "FloatArray", "IntArray", "Pair", "Takes", "Triple", "required"]
 
 Kept_co = TypeVar("Kept_co", covariant=True)
 Given_contra = TypeVar("Given_contra", contravariant=True)

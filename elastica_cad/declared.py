@@ -30,6 +30,9 @@ REQUIRED = MISSING
 MOST_ELEMENTS = 10_000
 """Default limit for the number of elements of a list, ten times the longest list of the examples."""
 
+TWO_TURNS_RAD = float(4 * np.pi)
+"""Largest absolute value of an angle in files. A larger number is probably in degrees."""
+
 LONGEST_TEXT = 1_000
 """Largest number of characters of a text without a declared limit. Paths of files are shorter."""
 
@@ -253,10 +256,10 @@ def _valid_values(kind: Kind, option: Option) -> str:
         return note("a {record}", record=getattr(kind.record, "__name__", ""))
     if kind.name == "text":
         return note("a text of at most {most} characters", most=option.most or LONGEST_TEXT)
-    if kind.name == "list" and kind.size is None:
-        return note("a list of at most {most} elements", most=option.many)
     words = {"number": "a number", "count": "a whole number", "flag": "True or False"}
-    text = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), option.bounds), " ")
+    several = "a list of at most {most} elements" if kind.size is None else "{size} numbers"
+    known = note(words.get(kind.name, several), most=option.many, size=kind.size)
+    text = sentences((known, option.bounds), " ")
     return sentences((text, option.unit and note("in {unit}", unit=option.unit)), ", ")
 
 

@@ -57,6 +57,7 @@ from elastica_cad.mechanics.loads import (
     require_supports,
 )
 from elastica_cad.mechanics.mounted_elements import mounted
+from elastica_cad.mechanics.newton_continuation import STRAIGHT_RAD
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import require_flat
@@ -163,7 +164,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError(
             "The strip is missing. Name a CURVE, or set the length of a straight strip with --straight MM."
         )
-    refuse_idle({}, {"straight": ("number", "layer", "unit", "smooth", "nearest")})
+    refuse_idle({}, {"straight": ("number", "layer", "unit", "smooth", "nearest", "settings")})
     requested, finished = None, None
     if curve is not None:
         record = read_request(curve)
@@ -174,14 +175,12 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
         finished = None if record is None else FinishedStrip.read(record, requested.curve)
     if finished is None:
-        needs = dict.fromkeys(("gravity", "thickness", "max_width"), ("sheet",))
+        needs = dict.fromkeys(("gravity", "thickness", "max_width", "settings"), ("sheet",))
         refuse_idle(needs | {"sheet": ("max_width", "gravity", "settings")})
     has_weight = finished is not None and finished.spec.gravity
     if not has_weight:
         refuse_idle({"down": ("gravity", "point_mass")})
     settings = parsed_settings(chosen["settings"], BentKeys)
-    if settings and finished is None and (curve is None or chosen["sheet"] is None):
-        raise InputError("--set needs a strip. Name its report, or a CURVE and --sheet NAME.")
     _refuse_uncompensated(settings, finished)
     strip = (
         _initial_strip(requested, chosen, settings)
@@ -194,6 +193,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError(
             "--release has no effect, because the strip has no rails, pins or ties. Leave it out."
         )
+    if chosen["side"] is not None and np.ptp(before.angle) > STRAIGHT_RAD:
+        raise InputError("--side has no effect, because the strip is not straight. Leave it out.")
     present = Supports() if finished is None else rod.supports
     stays = chosen["start"] is None and chosen["end"] is None
     if curve is None and chosen["tie"] and stays:

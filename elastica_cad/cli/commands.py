@@ -329,7 +329,8 @@ def _complete(command: click.Command) -> click.Command:
         _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
         _output_flag("-v", "--verbose", help="Print every step with its seconds, and all notes."),
     ]  # fmt: skip
-    reads = any(
+    # the page of `elastica studio` runs until it is stopped
+    reads = command.name != "studio" and any(
         isinstance(parameter, click.Argument) and isinstance(parameter.type, click.Path)
         for parameter in command.params
     )
@@ -341,7 +342,7 @@ def _complete(command: click.Command) -> click.Command:
         voice().quiet = bool(root_options.get("quiet"))
         refuse_extra_words(click.get_current_context().args)
         if watched and not reads:
-            raise InputError("--watch applies only to commands that read files. Leave out --watch.")
+            raise InputError("--watch applies only to commands that read files and end. Leave out --watch.")
         typed = {} if root_options.get("units", "mm") == "mm" else typed_options()
         notes = [f"Note: {typed[name]}: {text}" for name, text in IN_FIXED_UNITS.items() if name in typed]
         _check_numbers(chosen)

@@ -1,31 +1,18 @@
 """`elastica compare`: compare measurements of bent strips with the report of a strip or a model."""
 
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
 import click
 
 from elastica_cad._text import distinct, file_word
-from elastica_cad.cli.options import LENGTH
+from elastica_cad.cli.options import LENGTH, refuse_idle
 from elastica_cad.cli.voice import answer, say_rows, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.report_rows import Row
-
-
-def _unknown(strip: str, path: Path, strips: Sequence[str]) -> InputError:
-    if "" in strips:
-        return InputError(
-            "{path} has the table [{strip}], but the report is of a single strip. Delete this line.",
-            path=path, strip=strip,
-        )  # fmt: skip
-    return InputError(
-        "{path}: {strip!r} is not a strip of the model. Write the readings below the lines {tables}.",
-        path=path, strip=strip, tables=", ".join(f"[{name}]" for name in strips),
-    )  # fmt: skip
 
 
 @click.command()
@@ -47,6 +34,7 @@ def compare(report: Path, measured: Path | None, reading_error: float | None, fo
       elastica compare out/arch.json
       elastica compare out/arch.json out/arch-measured.toml --reading-error 2
     """
+    refuse_idle({"reading_error": ("measured",)}, {"measured": ("force",)})
     strips = read_measuring(report)
     expected = {strip: dict(measuring.expected) for strip, measuring in strips.items()}
     if measured is not None:
@@ -56,7 +44,12 @@ def compare(report: Path, measured: Path | None, reading_error: float | None, fo
             errors["reading_error"] = reading_error
         for strip, readings in strips_read.items():
             if strip not in strips:
-                raise _unknown(strip, measured, [*strips])
+                raise InputError(
+                    "{path} has the table [{strip}], but the report is of a single strip. Delete this line."
+                    if "" in strips else
+                    "{path}: {strip!r} is not a strip of the model. Write the readings below the lines {tables}.",
+                    path=measured, strip=strip, tables=", ".join(f"[{name}]" for name in strips),
+                )  # fmt: skip
             rows += [Row("Strip", strip)] if strip else []
             rows += strips[strip].compare(readings, **errors)
         say_rows(*rows, is_answer=True)

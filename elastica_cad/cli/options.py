@@ -138,10 +138,13 @@ def refuse_idle(
     """Raise InputError for typed options that have no effect.
 
     An option of `needs` has no effect without one of the others. An option of `replaces` leaves the others without
-    effect. All are given by the names of their parameters.
+    effect. All are given by the names of their parameters, and may be arguments.
     """
-    typed = typed_options()
-    known = {option.name: option.opts[0] for option in click.get_current_context().command.params}
+    known = {
+        str(option.name): option.opts[0] if isinstance(option, click.Option) else option.opts[0].upper()
+        for option in click.get_current_context().command.params
+    }
+    typed = {name: known[name] for name in typed_options()}
     for name, option in typed.items():
         others = needs.get(name, ())
         if others and typed.keys().isdisjoint(others):

@@ -22,12 +22,14 @@ from elastica_cad.cli.strip_options import with_settings
 from elastica_cad.cli.voice import answer, cut_text, say, say_rows, say_step, wrote
 from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
-from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
-from elastica_cad.design.pair_table import cutting_of, read_cutting, read_pair
+from elastica_cad.design.design_file import name_of_files, parse_design
+from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, cutting_keys
+from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.records import Reader
-from elastica_cad.design.tables import Table
+from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import read_curves
+from elastica_cad.formats.source_file import require_file
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.sheets import Sheet
@@ -50,7 +52,6 @@ class PairKeys:
 
 
 _COMMON_OPTIONS = [entry for entry in declared(FlexureSpec) if entry.option.common and entry.name != "sheet"]
-(_KERF,) = (entry for entry in declared(Cutting) if entry.name == "kerf")
 
 
 @click.command()
@@ -67,7 +68,7 @@ _COMMON_OPTIONS = [entry for entry in declared(FlexureSpec) if entry.option.comm
     click.option("--ratio", type=float,
                  help="Largest stiffness ratio of the part; 8 is a ratio of 2 in thickness."),
     click.option("--name", help="Name of the files  [default: as FIRST]."),
-    option_of(_KERF, default=f"{KERF:g}"),
+    option_of(cutting_keys()["kerf"], default=f"{KERF:g}"),
     set_option(PairKeys),
     output_options,
 )  # fmt: skip
@@ -83,14 +84,18 @@ def pair(**chosen: Any) -> None:
     path: Path = chosen["first"]
     table = given_of(chosen, (entry.name for entry in _COMMON_OPTIONS))
     table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
+    table["cut"] = given_of(chosen, ["kerf"])
     settings = with_settings(table, parsed_settings(chosen["settings"], PairKeys))
-    cut = settings.pop("cut", {}) | given_of(chosen, ["kerf"])
+    cut = settings.pop("cut")
     if path.suffix == ".toml":
         if given_of(chosen, ("second", "first_curve", "second_curve", "unit", "sheet", "thickness")):
             raise InputError(
                 "A design file names both curves and the sheet. Leave out the other arguments and options."
             )
-        spec, (name, cutting) = read_pair(path, read_curves, settings), read_cutting(path, cut)
+        changes = {key: table for key, table in (("pair", settings), ("cut", cut)) if table}
+        design = merged(parse_design(require_file(path)), changes)
+        spec, cutting = pair_of(design, path, read_curves), cutting_of(design, str(path))
+        name = name_of_files(Table(design, str(path), {}), path)
     else:
         spec, name, cutting = _spec_of(chosen, settings), path.stem, cutting_of({"cut": cut})
     name = file_word(chosen["name"] or name)
@@ -108,10 +113,15 @@ def pair(**chosen: Any) -> None:
     written = result.kit.write(chosen["output"], force=chosen["force"], process=process)
     say_rows(*in_order([*pair_rows(result.part), *map(warning_row, result.warnings)]))
     answer({"pair": result.kit.report})
-    held = "print, holder" if result.part.pair.bistable else "print, holder without the names of the settings"
     wrote(
         written,
-        {f"{name}.dxf": cut_as, f"{name}-holder.dxf": f"holder, {cut_as}", f"{name}-holder.stl": held},
+        {
+            f"{name}.dxf": cut_as,
+            f"{name}-holder.dxf": f"holder, {cut_as}",
+            f"{name}-holder.stl": "print, holder"
+            if result.part.pair.bistable
+            else "print, holder without the names of the settings",
+        },
     )
     say(*left_out(blocks=(name, f"{name}-holder")))
 
@@ -123,8 +133,10 @@ def _made(spec: FlexureSpec) -> Flexure:
     except InputError as problem:
         if (share := problem.refusal.values.get("share")) is None:
             raise
-        text = "{problem}. Add --scale {scale} to enlarge the curves."
-        raise InputError(text, problem=problem.refusal, scale=rounded_up(spec.scale * share)) from problem
+        raise InputError(
+            "{problem}. Add --scale {scale} to enlarge the curves.",
+            problem=problem.refusal, scale=rounded_up(spec.scale * share),
+        ) from problem  # fmt: skip
 
 
 def _spec_of(chosen: Chosen, settings: dict[str, Any]) -> FlexureSpec:

@@ -3,19 +3,18 @@
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Literal, TypeVar
+from typing import Annotated, Any, ClassVar, Literal
 
 import click
 
 from elastica_cad._toml import parse_toml
 from elastica_cad._units import read_length
+from elastica_cad.cli.options import F
 from elastica_cad.declared import Kind, Option, Record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.design.records import current_path, help_with_unit, paths_of, put, require_path_of, written
 from elastica_cad.design.strip_table import StripKeys
 from elastica_cad.errors import InputError, quoted
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
 """Groups of the options of a strip, in the order of help."""

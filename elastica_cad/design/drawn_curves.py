@@ -6,8 +6,8 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.declared import Kind, Option, kind_of
+from elastica_cad._types import ArrayLike, FloatArray, Pair
+from elastica_cad.declared import TWO_TURNS_RAD, Kind, Option, kind_of
 from elastica_cad.design.records import Reader, reads
 from elastica_cad.design.tables import Formula, Table
 from elastica_cad.errors import InputError
@@ -18,8 +18,7 @@ from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.refusals import BareLength, Length
 
-Point: TypeAlias = tuple[float, float]
-Handles: TypeAlias = tuple[Point, Point, Point, Point]
+Handles: TypeAlias = tuple[Pair, Pair, Pair, Pair]
 
 _TO = "New position of the {} corner of the curve's bounding box."
 
@@ -56,10 +55,10 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 class Reshape:
     """Deformation that moves some corners of a curve's bounding box, or four `handles`, to new positions."""
 
-    bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
-    bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None
-    top_right: Annotated[Point | None, Option(_TO.format("upper right"), "mm")] = None
-    top_left: Annotated[Point | None, Option(_TO.format("upper left"), "mm")] = None
+    bottom_left: Annotated[Pair | None, Option(_TO.format("lower left"), "mm")] = None
+    bottom_right: Annotated[Pair | None, Option(_TO.format("lower right"), "mm")] = None
+    top_right: Annotated[Pair | None, Option(_TO.format("upper right"), "mm")] = None
+    top_left: Annotated[Pair | None, Option(_TO.format("upper left"), "mm")] = None
     handles: Annotated[
         Handles | None,
         Option("Positions of four handles, instead of corners.", "mm", needs="to", replaces=CORNERS),
@@ -75,7 +74,7 @@ class Reshape:
             )
 
     @property
-    def corners(self) -> dict[str, Point]:
+    def corners(self) -> dict[str, Pair]:
         """New positions of the named corners, mm."""
         return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
 
@@ -141,7 +140,7 @@ class CurveOfFormulae(_Curve):
     y: Annotated[Formula, Option("Formula in t.", "mm")]
     t: Annotated[tuple[float, float], Option("Range of t.")]
     breaks: Annotated[
-        tuple[Point, ...],
+        tuple[Pair, ...],
         Option("Pairs [t, continuity], one for each parameter t at which pieces of the formulae meet."),
     ] = ()
 
@@ -168,11 +167,19 @@ class CurveOfFormulae(_Curve):
 class EllipseArc:
     """An arc of an ellipse between two parameters, or above a height."""
 
-    semi_axes: Annotated[Point, Option("Lengths of both semi-axes.", "mm", least=0)]
-    center: Annotated[Point, Option("Centre of the ellipse.", "mm")] = (0.0, 0.0)
-    rotation: Annotated[float, Option("Angle of the first axis.", "rad")] = 0.0
-    start: Annotated[float | None, Option("Parameter at the start of the arc.", "rad")] = None
-    end: Annotated[float | None, Option("Parameter at the end of the arc.", "rad")] = None
+    semi_axes: Annotated[Pair, Option("Lengths of both semi-axes.", "mm", least=0)]
+    center: Annotated[Pair, Option("Centre of the ellipse.", "mm")] = (0.0, 0.0)
+    rotation: Annotated[
+        float, Option("Angle of the first axis.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD)
+    ] = 0.0
+    start: Annotated[
+        float | None,
+        Option("Parameter at the start of the arc.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD),
+    ] = None
+    end: Annotated[
+        float | None,
+        Option("Parameter at the end of the arc.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD),
+    ] = None
     above: Annotated[
         float | None,
         Option(
@@ -222,7 +229,7 @@ class CurveOfSpline(_Curve):
     By default its knots are uniform and clamped. With given knots, it may have weights (NURBS).
     """
 
-    spline: Annotated[tuple[Point, ...], Option("Control points.", "mm")]
+    spline: Annotated[tuple[Pair, ...], Option("Control points.", "mm")]
     degree: Annotated[int, Option("Degree of the spline.", least=1)] = 4
     knots: Annotated[
         tuple[float, ...] | None, Option("Full knot vector; by default evenly spaced with clamped ends.")

@@ -23,7 +23,6 @@ from elastica_cad.refusals import Listed, Refusal, note
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.translations import Language
 
-Pair: TypeAlias = tuple[float, float]
 Names: TypeAlias = str | tuple[str, ...]
 
 
@@ -49,7 +48,9 @@ class Stand(_Holder):
     thickness: Annotated[
         float | None, Option("Thickness of the sheet, if it differs from the listed one.", "mm", least=0)
     ] = None
-    sheet_size: Annotated[Pair | None, Option("Sheets that plates are cut from.", "mm", least=0)] = None
+    sheet_size: Annotated[
+        tuple[float, float] | None, Option("Sheets that plates are cut from.", "mm", least=0)
+    ] = None
     margin: Annotated[
         float | None, Option("Least distance between parts on these sheets.", "mm", least=0)
     ] = None

@@ -3,35 +3,23 @@
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
-from elastica_cad.design.design_file import name_of_files, own_sheets, parse_design, top_table
+from elastica_cad.design.design_file import own_sheets, parse_design, top_table
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.model_tables import share_keys
 from elastica_cad.design.records import CurveReader, Reader
 from elastica_cad.design.strip_table import SHARED
-from elastica_cad.design.tables import Slips, Table, merged
+from elastica_cad.design.tables import Slips, Table
 from elastica_cad.errors import InputError
 from elastica_cad.formats.source_file import require_file
 from elastica_cad.pairs.flexure import STATES
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 
 
-def read_pair(
-    path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
-) -> FlexureSpec:
-    """Read the request for a two-state part from the table [pair]. `changes` has new values for keys."""
-    table = parse_design(require_file(path))
-    return pair_of(merged(table, {"pair": changes}) if changes else table, path, read_curves)
-
-
-def read_cutting(path: Path, changes: Mapping[str, Any]) -> tuple[str, Cutting]:
-    """Read the name and the options of the files of a design. `changes` has new values for options."""
-    table = parse_design(require_file(path))
-    return name_of_files(Table(table, str(path), {}), path), cutting_of(
-        merged(table, {"cut": changes}), str(path)
-    )
+def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
+    """Read the request for a two-state part from the table [pair] of a design file."""
+    return pair_of(parse_design(require_file(path)), path, read_curves)
 
 
 def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:

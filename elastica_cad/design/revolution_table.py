@@ -10,8 +10,8 @@ from typing import Annotated, Any, TypeAlias
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
-from elastica_cad._types import FloatArray
-from elastica_cad.declared import Option
+from elastica_cad._types import FloatArray, Pair
+from elastica_cad.declared import TWO_TURNS_RAD, Option
 from elastica_cad.defaults import BORDER
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
@@ -33,8 +33,6 @@ from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import GravityOption
 from elastica_cad.strip.styles import PLAIN, Style
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
-
-Pair: TypeAlias = tuple[float, float]
 
 TestedChange: TypeAlias = tuple[str, str]
 """Name of what was tested, and the instruction that makes strips and rings possible, or ""."""
@@ -73,7 +71,12 @@ class RevolutionTable:
     ] = None
     b: Annotated[Pair | None, Option("Change of this value along the meridian.", "1/mm", needs="a")] = None
     start: Annotated[Pair | None, Option("Start of the meridian.", "mm", needs="a")] = None
-    angle: Annotated[float | None, Option("Angle of the tangent at the start.", "rad", needs="a")] = None
+    angle: Annotated[
+        float | None,
+        Option(
+            "Angle of the tangent at the start.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD, needs="a"
+        ),
+    ] = None
     length: Annotated[
         float | None,
         Option("Length of the meridian; points and profiles are scaled to it.", "mm", above=0),

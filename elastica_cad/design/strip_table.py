@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
+from elastica_cad._types import Triple
 from elastica_cad._values import require_positive
 from elastica_cad.declared import Option, Record
 from elastica_cad.design.drawn_curves import read_drawn_curve
@@ -18,8 +19,6 @@ from elastica_cad.strip.strip_spec import DOWN, StripSpec
 
 if TYPE_CHECKING:
     from elastica_cad.form_finding.section_lines import SectionCurve
-
-Triple: TypeAlias = tuple[float, float, float]
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, ClassVar, Protocol, TypeAlias
+from typing import Annotated, ClassVar, Protocol
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import ArrayLike, FloatArray, Triple
 from elastica_cad._values import as_floats, is_whole, require_flag
-from elastica_cad.declared import Option
+from elastica_cad.declared import TWO_TURNS_RAD, Option
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.form_finding.plane_sections import FARTHEST_MM
 from elastica_cad.form_finding.section_lines import PlaneSection, SectionCurve, SectionLine, section_curves
@@ -156,8 +156,6 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
     return v
 
 
-Triple: TypeAlias = tuple[float, float, float]
-
 NAMED_REASONS = 6
 """Largest number of reasons that a message lists."""
 
@@ -208,7 +206,13 @@ class RadialCuts:
     count: Annotated[int, Option("Number of half planes, at equal angles around the axis.", least=1)] = 8
     angles: Annotated[
         tuple[float, ...] | None,
-        Option("Angles of the half planes, instead of count.", "rad", replaces=("count",)),
+        Option(
+            "Angles of the half planes, instead of count.",
+            "rad",
+            least=-TWO_TURNS_RAD,
+            most=TWO_TURNS_RAD,
+            replaces=("count",),
+        ),
     ] = None
     point: Annotated[Triple, Option("Point on the axis.", "mm")] = (0.0, 0.0, 0.0)
     axis: Annotated[Triple, Option("Direction of the axis.")] = (0.0, 0.0, 1.0)

@@ -3,13 +3,13 @@
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any
 
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import html_table
-from elastica_cad._types import ArrayLike, Takes, required
+from elastica_cad._types import ArrayLike, Takes, Triple, required
 from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
@@ -140,8 +140,6 @@ def _stable_facing_plates(
             )
     return plates
 
-
-Triple: TypeAlias = tuple[float, float, float]
 
 MOST_STRIPS = 100_000
 

@@ -124,7 +124,7 @@ class Pad:
     """
 
     length: Annotated[float, Option("Length of the pad, along the part.", "mm", above=0)] = 18.0
-    width: Annotated[float, Option("Width of the pad, across the part.", "mm", above=0)] = 10.0
+    width: Annotated[float, Option("Least width of the pad, across the part.", "mm", above=0)] = 10.0
     hole: Annotated[float, Option("Diameter of the two holes in the pad; 3.2 for M3.", "mm", above=0)] = 3.2
     inset: Annotated[
         float, Option("Distance from the ends of the pad to the centres of the holes.", "mm", above=0)
@@ -344,9 +344,9 @@ class Flexure:
         def excess(scale: float) -> float:
             return float(self._strains(bends, pull * scale**2, scale).max()) - most
 
-        # thickness for bending alone; other causes of strain can only reduce the thickness
+        # thickness for bending alone; other causes of strain can only reduce the thickness, stretching by far
         high = 2 * most / float(np.abs(bends).max())
-        return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
+        return high if excess(high) <= 0 else float(brentq(excess, 1e-6 * high, high, xtol=1e-9 * high))
 
     @property
     def thickness_range(self) -> tuple[float, float]:
@@ -898,6 +898,11 @@ class Flexure:
             if side.needs_guiding:
                 messages.append(note("{name}: {side}", severity="warning", name=name, side=str(side)))
         messages += [*self.rest_warnings, *numbers_note(self._engraved)]
+        if self.push_at is not None and not self.pair.bistable:
+            messages.append(
+                note("{field} has no effect, because the end of this part is moved between two positions. Leave it "
+                     "out.", field=FieldName("push_at"))
+            )  # fmt: skip
         if self.label and not self._label_texts:
             messages.append(
                 note("The label {label} is not engraved, because the pad has no room for letters {height} high. "

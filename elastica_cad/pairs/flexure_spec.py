@@ -80,7 +80,9 @@ class FlexureSpec(EqualByValue):
     free: Annotated[
         State | None,
         Option(
-            "State in which the part rests without any support; by default both states need one.", common=True
+            "State in which the part rests without any support; by default both states need one.",
+            common=True,
+            replaces=("objective",),
         ),
     ] = None
     objective: Annotated[

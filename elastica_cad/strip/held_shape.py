@@ -337,10 +337,11 @@ class MakingTolerance:
         Option("Amplitude of a wave of thickness along the strip, as a fraction of the thickness.", least=0),
     ] = 0.01
     grain: Annotated[
-        float, Option("Deviation of the grain to either side along the strip.", "rad", least=0)
+        float,
+        Option("Deviation of the grain to either side along the strip.", "rad", least=0, most=np.pi / 2),
     ] = float(np.radians(2.0))
-    clamps: Annotated[float, Option("Error of the angle of each clamp.", "rad", least=0)] = float(
-        np.radians(0.5)
+    clamps: Annotated[float, Option("Error of the angle of each clamp.", "rad", least=0, most=np.pi / 2)] = (
+        float(np.radians(0.5))
     )
     kerf: Annotated[
         float, Option("Width that the cut removes in addition to the corrected kerf.", "mm", least=0)

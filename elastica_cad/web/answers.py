@@ -12,7 +12,7 @@ import numpy as np
 
 from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
-from elastica_cad._values import SEEN_APART
+from elastica_cad._values import SEEN_APART, counted
 from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
@@ -198,11 +198,10 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """Return the strip, and the keys that have no effect on it."""
-    answered = _bent_strip(request)
+    """Return the strip, or the part with two states, and the keys that have no effect on it."""
+    answered = _pair(request) if "pair" in request["design"] else _bent_strip(request)
     with suppress(ElasticaError, LookupError, TypeError):
-        design = request["design"]
-        answered["idle"] = idle_beside(design, design["strips"][request.get("strip", 0)])
+        answered["idle"] = idle_beside(request["design"], request.get("strip", 0))
     return answered
 
 
@@ -651,14 +650,13 @@ def _model(request: Mapping[str, Any]) -> Record:
             for plate in solids
         ],
         "text": note(
-            "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g, {blocks} "
-            "printed blocks"
+            "{strips}, {pieces} on {sheets}, {cuts:.1f} m of cuts, {mass:.0f} g, {blocks}"
             if kit.blocks
-            else "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
-            strips=len(kit.model.placed),
-            blocks=len(kit.blocks),
-            pieces=cut_list.count,
-            sheets=len(kit.nests),
+            else "{strips}, {pieces} on {sheets}, {cuts:.1f} m of cuts, {mass:.0f} g",
+            strips=counted(len(kit.model.placed), "strip"),
+            blocks=counted(len(kit.blocks), "printed block"),
+            pieces=counted(cut_list.count, "piece"),
+            sheets=counted(len(kit.nests), "sheet"),
             cuts=cut_list.cut_length / 1000,
             mass=cut_list.mass,
         ),
@@ -730,7 +728,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
 
 
 def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
-    return pair_of(request["design"], FilePath("design"), _no_file)
+    return pair_of(without_idle(request["design"]), FilePath("design"), _no_file)
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
@@ -917,7 +915,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "cures": _suggestions,
     "bend": _bending_frames,
     "model": _model,
-    "pair": _pair,
+    "pair": _strip,
     "edit": _edit,
     "read": _read_dropped,
     "file": _download,

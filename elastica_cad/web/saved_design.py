@@ -1,6 +1,6 @@
 """Conversion between a design file and the tables that the studio's page edits."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
@@ -19,6 +19,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below, require_file
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.pairs.flexure_spec import FlexureSpec
 
 Tables = dict[str, Any]
 
@@ -53,9 +54,11 @@ def without_models(tables: Mapping[str, Any]) -> Tables:
     return {key: value for key, value in tables.items() if key not in OF_MODELS}
 
 
-def idle_beside(design: Mapping[str, Any], strip: Any) -> list[str]:
-    """Return the keys of a strip, and of the top of its design, that have no effect on it beside other keys."""
-    return list(idle_keys(StripKeys, Table(strip, "strips", {}, Table(design, "", {}))))
+def idle_beside(design: Mapping[str, Any], k: int = 0) -> list[str]:
+    """Return the keys without effect beside others: of the pair or of strip k, and of the top of the design."""
+    pair = design.get("pair")
+    record, table = (FlexureSpec, pair) if isinstance(pair, Mapping) else (StripKeys, design["strips"][k])
+    return list(idle_keys(record, Table(table, "", {}, Table(design, "", {}))))
 
 
 def without_idle(design: Mapping[str, Any]) -> Tables:
@@ -68,16 +71,18 @@ def without_idle(design: Mapping[str, Any]) -> Tables:
     >>> without_idle({"max_width": 30, "strips": [{"section": {"kind": "rod"}, "min_width": 4}]})
     {'strips': [{'section': {'kind': 'rod'}}]}
     """
-    strips = design.get("strips")
+    strips, pair = design.get("strips"), design.get("pair")
+    if isinstance(pair, Mapping):
+        return {**design, "pair": _without(pair, idle_beside(design))}
     if not strips or not isinstance(strips, list):
         return {**design}
-    idle = [idle_beside(design, strip) for strip in strips]
+    idle = [idle_beside(design, k) for k in range(len(strips))]
     top = {key: value for key, value in design.items() if not all(key in keys for keys in idle)}
-    acting = [
-        {key: value for key, value in strip.items() if key not in keys}
-        for strip, keys in zip(strips, idle, strict=True)
-    ]
-    return top | {"strips": acting}
+    return top | {"strips": [_without(strip, keys) for strip, keys in zip(strips, idle, strict=True)]}
+
+
+def _without(table: Mapping[str, Any], keys: Sequence[str]) -> Tables:
+    return {key: value for key, value in table.items() if key not in keys}
 
 
 def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:

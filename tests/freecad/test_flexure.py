@@ -65,6 +65,35 @@ def test_options_of_the_core_are_properties(part):
     assert part.Verdict == "There is no part."
 
 
+def is_grey(part, name):
+    return "ReadOnly" in part.getEditorMode(name)
+
+
+def test_the_aim_is_grey_and_without_effect_beside_a_free_state(part):
+    change(part, LeastThickness=0.6, Anyway=True)
+    assert not is_grey(part, "Objective")
+    change(part, Free="first", Objective="thickness")
+    shape = part.Shape.Volume
+    change(part, Objective="ratio")
+    assert (part.State, is_grey(part, "Objective")) == (["Up-to-date"], True)
+    assert part.Shape.Volume == pytest.approx(shape)
+    change(part, Free="none")
+    assert not is_grey(part, "Objective")
+
+
+def test_the_place_of_the_push_is_grey_where_nothing_is_pushed(part, document, drawn):
+    assert not is_grey(part, "PushAt")
+    steep, low = (
+        [(0, 0), (40, 0), (62, 22), (72, 52), (89, 99)],
+        [(0, 0), (40, 0), (66, 15), (90, 40), (122, 72)],
+    )
+    stand = new(flexure.create, document, drawn(steep, 4), (), drawn(low, 4), ())
+    change(stand, LeastThickness=2, Anyway=True, PushAt=50, PadLength=22)
+    assert stand.State == ["Up-to-date"], list(stand.Reasons)
+    assert is_grey(stand, "PushAt")
+    assert any("moved between two positions" in reason for reason in stand.Reasons)
+
+
 @pytest.mark.campaign
 def test_a_part_is_cut_with_its_holder(part, tmp_path):
     change(part, EngravedText="CLIP")

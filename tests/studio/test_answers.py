@@ -88,6 +88,36 @@ def test_keys_without_effect_are_answered_as_if_they_were_not_there(keys, idle):
     assert answer_to("strip", design=other, strip=1).get("refused") is None
 
 
+def test_the_aim_of_a_part_with_a_free_state_is_answered_as_if_it_were_not_there():
+    first, second = ({"spline": [[0, 0], [30, y], [90, y], [120, 0]], "degree": 3} for y in (8, -8))
+    pair = {"sheet": "pom-2", "first": first, "second": second, "least_thickness": 0.5, "ignore_limits": True}
+    asked = {"schema": 1, "pair": pair | {"free": "first", "objective": "ratio"}}
+    without = {"schema": 1, "pair": pair | {"free": "first"}}
+    told = answer({"do": "pair", "design": asked})
+    assert told["idle"] == ["objective"]
+    assert told == answer({"do": "pair", "design": without})
+    assert "refused" not in told
+    assert answer({"do": "file", "kind": "dxf", "design": asked}) == answer(
+        {"do": "file", "kind": "dxf", "design": without}
+    )
+    assert (
+        answer({"do": "pair", "design": {"schema": 1, "pair": pair | {"objective": "ratio"}}})["idle"] == []
+    )
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", r"1 strip, 1 piece on 1 sheet, .* g, 2 printed blocks"),
+        ("de", r"1 Streifen, 1 Teil auf 1 Platte, .* g, 2 gedruckte Halter"),
+    ],
+)
+def test_one_strip_is_not_counted_in_the_plural(language, said):
+    held = design(fixtures={})
+    _, content = reply(json.dumps({"do": "model", "design": held, "language": language}))
+    assert re.fullmatch(said, json.loads(content)["text"])
+
+
 def test_rows_are_in_the_language_of_the_page():
     rows = json.loads(reply(json.dumps({"do": "strip", "design": design(), "language": "de"}).encode())[1])[
         "rows"

@@ -174,7 +174,7 @@ export class Form {
     const flag = plain.some((value) => value.kind === "flag"), others = plain.filter((value) => value.kind !== "flag");
     const titled = tables.length > 1 || flag;
     const select = this.select([["", t(ABSENT[field.name] ?? "none")], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? titleOf(one) : "as below")]),
-      ...(others.length ? [["value", t(listed(others[0]).length ? "as below" : "value")]] : [])], { id });
+      ...(others.length ? [["value", t(listed(others[0]).length ? "each as below" : "value")]] : [])], { id });
     const inner = html("div", { class: "inner" }), unchosen = html("div", { class: "inner" });
     const kindOf = (now) => (now == null || now === false ? "" : now === true ? "true" : typeof now !== "object" || Array.isArray(now) ? "value"
       : `${Math.max(tables.findIndex((one) => (one.word ? one.word === now.kind : Object.keys(now).every((key) => one.fields.some(({ name }) => name === key)))), 0)}`);

@@ -34,6 +34,13 @@ def test_bend_leads_the_ends(drawn, tmp_path):
     assert "stable in its plane at every step" in result.output
 
 
+def test_a_curved_strip_takes_no_side(drawn, tmp_path):
+    refused = run("bend", drawn, "--to", 300, 0, "--side", "left", "-o", tmp_path / "out", code=2)
+    assert "--side has no effect, because the strip is not straight" in refused.output
+    (tmp_path / "line.csv").write_text("x (mm),y (mm)\n0,0\n50,0\n100,0\n")
+    run("bend", tmp_path / "line.csv", "--to", 70, 0, "--side", "right", "-o", tmp_path / "out")
+
+
 def test_a_straight_strip_buckles_to_the_side_requested(tmp_path):
     arguments = ("bend", "--straight", 100, "--to", 70, 0, "--hold-start", "pinned", "--hold-end", "pinned")
     for side, sign in (("left", 1), ("right", -1)):
@@ -59,6 +66,10 @@ def test_a_straight_strip_buckles_to_the_side_requested(tmp_path):
         (
             ("--straight", 100, "--to", 80, 0, "--release"),
             "--release has no effect, because the strip has no rails",
+        ),
+        (
+            ("--straight", 100, "--to", 80, 0, "--set", "samples=99"),
+            "--set has no effect beside --straight",
         ),
         (
             ("--straight", 900, "--to", 800, 0, "--sheet", "carbon-rod-4", "--max-width", 4),

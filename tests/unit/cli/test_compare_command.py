@@ -109,6 +109,18 @@ def test_readings_that_are_none(report, tmp_path, text, said):
     assert said in result.output
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--reading-error", 1), "--reading-error has no effect without MEASURED"),
+        (("measured.toml", "--force"), "--force has no effect beside MEASURED"),
+    ],
+)
+def test_options_of_the_other_use_are_refused(report, tmp_path, words, said):
+    (tmp_path / "measured.toml").write_text("chord = 300")
+    assert said in run("compare", report, *words, cwd=tmp_path, code=2).output
+
+
 def test_a_file_that_is_no_report(tmp_path):
     path = tmp_path / "other.json"
     path.write_text("{}")

@@ -247,6 +247,12 @@ def test_what_does_not_change_cannot_be_watched(folder):
     assert b"--watch needs a file; standard input cannot be watched" in done.stderr
 
 
+@pytest.mark.parametrize("words", [("new", "arch"), ("studio", "arch.toml", "--no-browser")])
+def test_a_command_that_reads_no_file_or_does_not_end_cannot_be_watched(words, tmp_path):
+    text = run(*words, "--watch", cwd=tmp_path, code=2).output
+    assert "--watch applies only to commands that read files and end" in text
+
+
 LONG = "n" * 300
 
 

@@ -190,6 +190,8 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("wrong.toml",), "unknown key 'thickness'"),
         (("clip.svg", "--sheet", "pom-3", "--set", "files.paper=A4"), "the keys here are scale, match"),
         (("clip.toml", "--set", "first_state=down"), "Both states have the name down"),
+        (("clip.toml", "--free", "first", "--objective", "ratio"), "objective has no effect beside free"),
+        (("clip.toml", "--kerf", "0.1", "--set", "cut.kerf=0.2"), "--kerf and --set cut.kerf set the same value"),
         (("model.toml",), "no table [pair]"),
     ],
 )  # fmt: skip

@@ -911,6 +911,10 @@ def test_a_strip_with_a_section_leaves_the_widths_to_the_others(folder):
         (changed(DESIGNS["thickness"], "compensate", True), "compensate has no effect beside section"),
         (changed(DESIGNS["pair"], "nest", {}), "nest has no effect on a part with two states"),
         (
+            changed(changed(DESIGNS["pair"], "pair.free", "second"), "pair.objective", "ratio"),
+            "objective has no effect beside free",
+        ),
+        (
             changed(DESIGNS["pair"], "strips", [{"curve": ARC}]),
             "strips has no effect on a part with two states",
         ),
@@ -921,3 +925,22 @@ def test_a_strip_with_a_section_leaves_the_widths_to_the_others(folder):
 )
 def test_a_key_of_a_kind_that_is_not_chosen_is_refused(design, place, folder):
     assert place in read(design, folder)
+
+
+@pytest.mark.parametrize(
+    ("name", "path"),
+    [
+        ("arch", "strips.0.curve.ellipse.start"),
+        ("arch", "strips.0.curve.ellipse.end"),
+        ("arch", "strips.0.curve.ellipse.rotation"),
+        ("equation", "revolution.angle"),
+        ("angles", "strips.0.sections.radial.angles.0"),
+        ("grainy", "tolerance.grain"),
+        ("grainy", "tolerance.clamps"),
+    ],
+)
+def test_a_number_of_degrees_is_not_taken_for_radians(name, path, folder):
+    refused = read(changed(DESIGNS[name], path, 30), folder)
+    assert "30" in refused
+    assert refused.endswith("in rad")
+    assert not isinstance(read(changed(DESIGNS[name], path, "30*degrees"), folder), str)

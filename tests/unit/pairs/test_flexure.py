@@ -239,6 +239,23 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
     assert enlarged.scale == pytest.approx(LEAST_CUT_MM, rel=0.05)  # enough, and not much more
 
 
+def test_the_least_ratio_has_a_thickness_however_much_its_forces_stretch_the_part():
+    """The strain by stretching grows with the square of the thickness."""
+    spec = FlexureSpec(arch(24), arch(-19.2), POM, objective="ratio", ignore_limits=True)
+    assert 0 < spec.make().scale < 1e-3
+    with pytest.raises(InputError, match="parts must be at least"):
+        replace(spec, ignore_limits=False).make()
+
+
+def test_a_push_has_no_effect_on_a_part_with_two_settings(stand, clip):
+    text = "no effect, because the end of this part is moved between two positions"
+    assert [text in str(one) for one in replace(stand, push_at=50.0).warnings] == [
+        *(False for _ in stand.warnings),
+        True,
+    ]
+    assert not any(text in str(one) for one in replace(clip, push_at=50.0).warnings)
+
+
 def test_a_part_that_nothing_bends_requests_how_thick_it_shall_be():
     with pytest.raises(InputError, match="the thickness of the part cannot be computed"):
         FlexureSpec(arch(24), arch(24), POM).make()

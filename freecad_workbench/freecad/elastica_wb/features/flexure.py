@@ -20,7 +20,7 @@ from freecad.elastica_wb.host.sheet_store import sheet_list
 from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import Field, Record
-from elastica_cad.design.records import Reader, paths_of
+from elastica_cad.design.records import Reader, idle_keys, paths_of
 from elastica_cad.design.records import put as put_key
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import ElasticaError
@@ -91,6 +91,18 @@ class FlexureFeature(Feature):
     )
     sheets: ClassVar = {"Sheet": "SheetData"}
 
+    def ensure(self, obj: Any) -> None:
+        """Add missing properties. Properties without effect are read-only."""
+        super().ensure(obj)
+        _show_idle(obj)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Make the properties read-only that have no effect beside the new value."""
+        super().onChanged(obj, name)
+        # while the properties are added, those that follow are still missing
+        if name == "Free" and CONTAINERS.name in obj.PropertiesList:
+            _show_idle(obj)
+
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
         part = flexure_of(obj)
@@ -99,6 +111,7 @@ class FlexureFeature(Feature):
         # only the user places the part as cut
         if obj.Form != "As cut":
             obj.Placement = drawn_curve(obj.Curve, obj).placement
+        obj.setEditorMode("PushAt", int(not part.pair.bistable))
         travel = part.travel
         put(
             obj,
@@ -142,14 +155,26 @@ def create(
 
 
 def spec_of(obj: Any) -> FlexureSpec:
-    """Return the `FlexureSpec` that the properties define."""
+    """Return the `FlexureSpec` that the properties define. Properties without effect are ignored."""
     first, second = (drawn_curve(link, obj).curve for link in (obj.Curve, obj.SecondCurve))
+    table = _table_of(obj)
+    acting = {key: table.raw(key) for key in table.data.keys() - idle_keys(FlexureKeys, table)}
+    return FlexureSpec(first, second, sheet_of(obj), **Reader().given(FlexureKeys, Table(acting, "", {})))
+
+
+def _table_of(obj: Any) -> Table:
     table: dict[str, Any] = {}
     for name, (path, field) in FIELDS.items():
         value = value_of_field(obj, name, field)
         if value is not None:
             put_key(table, path, value)
-    return FlexureSpec(first, second, sheet_of(obj), **Reader().given(FlexureKeys, Table(table, "", {})))
+    return Table(table, "", {})
+
+
+def _show_idle(obj: Any) -> None:
+    idle = idle_keys(FlexureKeys, _table_of(obj))
+    for name, (path, _) in FIELDS.items():
+        obj.setEditorMode(name, int(path in idle))
 
 
 def flexure_of(obj: Any) -> Flexure:

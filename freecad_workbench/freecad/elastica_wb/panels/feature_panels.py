@@ -42,6 +42,10 @@ def _flat_footnote(obj: Any) -> str:
     return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
 
 
+def _is_editable(name: str) -> Callable[[Any], bool]:
+    return lambda obj: "ReadOnly" not in obj.getEditorMode(name)
+
+
 def _has_value(name: str, *values: object) -> Callable[[Any], bool]:
     return lambda obj: getattr(obj, name) in values
 
@@ -249,6 +253,7 @@ FLEXURE = Layout(
         ),
     },
     FlexureFeature.properties,
+    {name: _is_editable(name) for name in ("Objective", "PushAt")},
     results=lambda obj: pair_rows(flexure_of(obj)),
     picture=lambda obj: _force_chart(flexure_of(obj)),
 )
