@@ -8,6 +8,7 @@ from urllib.parse import quote
 from elastica_cad._text import html_text
 from elastica_cad._values import plain_data, require_record
 from elastica_cad.design.reports import (
+    UNITS,
     list_versions,
     report_held,
     report_measuring,
@@ -57,16 +58,7 @@ def report_model(
         "schema": MODEL_SCHEMA,
         "name": model.name,
         "versions": list_versions(),
-        "units": {
-            "length": "mm",
-            "curvature": "1/mm",
-            "strain": "1",
-            "mass": "g",
-            "area": "mm2",
-            "angle": "rad",
-            "force": "N",
-            "moment": "N mm",
-        },
+        "units": UNITS,
         "strips": len(model.placed),
         "parts": [
             {

@@ -84,9 +84,10 @@ def pre_bend_message(strip: Strip) -> str:
 REPORT_SCHEMA = "elastica-report/1"
 MOST_STATIONS = 100_000
 
-_UNITS = {
+UNITS = {
     "length": "mm",
     "width": "mm",
+    "area": "mm2",
     "angle": "rad",
     "curvature": "1/mm",
     "strain": "1",
@@ -166,7 +167,7 @@ def report_strip(
         "schema": REPORT_SCHEMA,
         "name": name,
         "versions": list_versions(),
-        "units": _UNITS,
+        "units": UNITS,
         "files": files,
         # curves are not rounded, because strips are made from them again
         "curve": curve_record(rod.curve),

@@ -79,7 +79,7 @@ class PlacedTab:
         return cls(
             Frame(origin, out, sign * place.z_axis),
             tab.length,
-            tab.width or end_width,
+            tab.widest(end_width),
             strip.end_thicknesses[k],
             tab,
             tab_name(name or strip.number or strip.label or "strip", end),

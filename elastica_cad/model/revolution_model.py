@@ -527,7 +527,7 @@ class _Gore(Strip):
 
     @property
     def _tab_rooms(self) -> tuple[float, float]:
-        first, last = (tab.width or np.inf for tab in self.widest_tabs or (Tab(), Tab()))
+        first, last = (tab.widest(np.inf) for tab in self.widest_tabs or (Tab(), Tab()))
         return first, last
 
 

@@ -193,6 +193,10 @@ class Tab:
         """Return the tab of the strip turned over about its centre line."""
         return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
 
+    def widest(self, width: float) -> float:
+        """Return the largest width of the tab, mm, for which blocks, plates and stock have room."""
+        return self.width or width
+
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
         """Return the outline of the tab, from the bent part outward, along the outer edge and back.
 

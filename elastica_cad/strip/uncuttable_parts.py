@@ -392,7 +392,7 @@ def find_strip_faults(
     ligament = shop.ligament_for(strip.sheet)
     faults: list[Fault] = []
     length = strip.rod.length + sum(tab.length for tab in strip.ends)
-    width = max(strip.width.extremes[1], *(tab.width or 0.0 for tab in strip.ends))
+    width = max(strip.width.extremes[1], *(tab.widest(0.0) for tab in strip.ends))
     for i, sheet in enumerate([strip.sheet] if backing is None else [strip.sheet, backing.sheet]):
         called = name if i == 0 else f"{name}, backing"
         least, stock = shop.width_for(sheet), shop.stock_for(sheet)
