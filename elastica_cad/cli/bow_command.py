@@ -222,6 +222,7 @@ def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
 
 def _curve_row(result: Bow, far: Length) -> Row:
     """Return the row on the distance of the bow from the drawn curve, a warning if it is large."""
+    # only a rod has a section here, which prescribes its diameter
     noun = "strip" if result.strip.layout.size is None else "rod"
     even = (
         f"; a {noun} of constant section cannot follow it exactly"

@@ -1,4 +1,4 @@
-"""`elastica coupon`: draw a test strip of a sheet, or compute the properties of the sheet from its droop."""
+"""`elastica coupon`: draw a test strip of a sheet, or compute and keep the properties of a sheet from its droop."""
 
 from dataclasses import replace
 from functools import partial

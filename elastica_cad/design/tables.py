@@ -341,7 +341,9 @@ class Slips:
         """Sentences for the first errors and the number of further errors, or "" if there are no errors."""
         texts = list(self._texts.values()) or [""]
         ends = accumulate(map(len, texts[:MOST_LISTED]))
+        # the first error is always listed, the others up to 800 characters in total
         listed = texts[: max(1, sum(end <= 800 for end in ends))]
+        # a single further error is listed instead of counted
         if (left := len(texts) - len(listed)) == 1:
             listed.append(texts[-1])
         elif left:

@@ -91,10 +91,12 @@ class SectionScale:
 
     @classmethod
     def of(cls, family: Section, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Return the relation between E I and K for a section. A `heavy` rod gets the largest scale.
+        """Return the relation between E I and K for a section.
 
-        Without weight, the shape does not depend on the scale. The scale then allows the largest curvature, because
-        thin sections withstand larger curvatures.
+        With one limit, the scale follows from it: the thinnest place has the least size, or the thickest place the
+        largest. With both limits, a `heavy` rod gets the largest scale. Without weight, the shape does not depend
+        on the scale, and the rod gets the least scale if thin sections withstand larger curvatures, else the
+        largest.
         """
         least, largest = family.limits
         ratio = limits.largest_ratio

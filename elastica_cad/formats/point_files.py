@@ -482,9 +482,12 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
     parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
+    # half a unit of the finest fraction or of the last digit; more cells would be slow
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:20_000])
-    by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
-    noise = rounded / np.sqrt(3) if by_rule else 0.0
+    # tables in inches, tables of offsets and coarse numbers count as measured with a ruler: their rounding is noise
+    with_ruler = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
+    # root mean square of an error that is uniform within +-rounded
+    noise = rounded / np.sqrt(3) if with_ruler else 0.0
     curves: list[DrawnCurve] = []
     closed: list[str] = []
     for name, rows in table.columns:

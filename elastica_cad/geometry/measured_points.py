@@ -1,4 +1,4 @@
-"""Source of a curve in a file, and the points to which a curve was fitted, with their noise."""
+"""Source of a curve in a file, and the points to which it was fitted: their noise, and a single mistyped point."""
 
 from dataclasses import dataclass, replace
 

@@ -244,7 +244,10 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return tau, 1/(N mm2), by a search, because with `beta` the ratio is not a linear program in tau."""
+    """Return tau, 1/(N mm2), by a search, because with `beta` the ratio is not a linear program in tau.
+
+    `_least_compliance` explains the choice of tau.
+    """
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -261,6 +264,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     weightless = load.against(0.0)
     light = weightless.ratio(weightless.homogeneous(loaded=False))
     bent = float(np.abs(weightless.panels.curvature).max())
+    # the curvature is tau times the moment, which is at most about newtons * length
     trial = np.log(bent / (newtons * load.request.check.length)) + np.linspace(-8.0, 4.0, 25)
     ratios = np.array([ratio(x) for x in trial])
     best = int(ratios.argmin())
@@ -270,11 +274,13 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
         bounds = (trial[max(best - 1, 0)], trial[min(best + 1, 24)])
         minimum = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
         return float(np.exp(minimum.x if minimum.fun <= ratios[best] else trial[best]))
+    # the ratio decreases with tau, and the largest tau within the limit is taken
     limit = light[1] * (1 + SMOOTHING_SHARE)
     within = np.flatnonzero(ratios <= limit)[-1]
     if within == 24:
         return float(np.exp(trial[-1]))
     low, high = trial[within], trial[within + 1]
+    # brentq needs a finite value where no rod exists
     return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
 
 

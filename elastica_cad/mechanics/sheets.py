@@ -1,4 +1,4 @@
-"""Sheets of material: their data, the library of sheets, and the sheets that withstand the bend of a curve."""
+"""Sheets of material: their data, the folders of the user's own sheets, and the sheets that withstand a bend."""
 
 import os
 import re

@@ -400,6 +400,7 @@ class EndFixture(EqualByValue):
         slot, tab = self.tab.shape.t_slot, self.tab.frame
         if slot is None:
             return []
+        # past the foot, which extends beyond the block where the floor is along the tab
         tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + CUT_EXTENSION_MM
         frame = Frame(tab.point((tip, 0.0, 0.0)), tab.y_axis, tab.z_axis)
         return [FlatSolid(Path.circle((0.0, 0.0), slot.screw / 2), (), back - tip, frame)]

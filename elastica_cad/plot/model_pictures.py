@@ -108,10 +108,11 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
 
 
 def _polygon_of(loop: Path, step: float, *, divide_lines: bool = False) -> FloatArray:
-    """Return points (n, 2) of a polygon in place of a loop, at most `step` apart on curves."""
+    """Return points (n, 2) of a polygon in place of a loop, about `step` apart on curves, if requested on lines."""
     # at least 4 sides replace an arc or spline, or 96 if this curve is a whole loop
     fewest, rows = 96 if len(loop.segments) == 1 else 4, []
     for segment in loop.segments:
+        # the chord is a rough length of an arc or spline
         parts = ceil(dist(segment.start, segment.end) / step)
         if isinstance(segment, Line):
             parts = parts if divide_lines else 1

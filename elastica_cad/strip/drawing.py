@@ -1,4 +1,4 @@
-"""Drawings of paths and engraved texts on named layers: kerf compensation, bridges, and a file for each part."""
+"""Drawings on named layers: kerf compensation, bridges, and a file for each part, as cutting services want it."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -84,6 +84,7 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
         )
     length = sheet.elasto_gravity_length
     felt = Gravity.in_plane(length, direction, frame.x_axis, frame.y_axis)
+    # weight is proportional to 1 / length^3; without gravity in the plane, weights are refused
     return felt, 1.0 if felt is None else (length / felt.length) ** 3
 
 

@@ -120,8 +120,8 @@ class Layout:
     section : Section or None
         Section with limits, or None if the width is proportional to the stiffness.
     size : Profile or None
-        Thickness or diameter along the bent part, mm, if it varies, else None. For glued plies, the thickness
-        of the stack.
+        Thickness or diameter along the bent part, mm, if the section prescribes it, else None. For glued plies,
+        the thickness of the stack.
     """
 
     sheet: Sheet

@@ -176,7 +176,9 @@ class TabSeat:
         turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
         (a, b), (c, d) = self.left.T, self.right.T
+        # largest shift of the turned tab to the left, at which its left face touches the holder
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
+        # range of shifts between contact on the right and on the left
         # the tab might fit again at larger angles, but it stops at the first contact
         room = most - (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
         jams = np.flatnonzero(room[1:] < -1e-12)

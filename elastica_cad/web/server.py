@@ -1,4 +1,4 @@
-"""Server of the page. The server answers only requests of its own pages on this computer."""
+"""Server of the page, only for this computer. It saves a design unless its file was changed meanwhile."""
 
 import asyncio
 import hmac

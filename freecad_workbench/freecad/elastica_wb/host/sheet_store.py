@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The available sheets: built-in sheets, and the user's sheets in a TOML file."""
+"""Sheets that FreeCAD offers: built-in ones, the user's library, and those that FreeCAD stores in a file."""
 
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
