@@ -97,7 +97,7 @@ def test_other_keys_of_the_strip_are_set(tmp_path):
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        ("--set samples=301", "Name its report, or a CURVE and --sheet"),
+        ("--set samples=301", "--set has no effect without --sheet. Add --sheet"),
         (
             "--sheet pom-1 --max-width 10 --set max_width=12",
             "--max-width and --set max_width set the same value",
