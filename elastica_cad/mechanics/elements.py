@@ -422,7 +422,7 @@ class ElementForce:
     def side_of_push(self, tangent: FloatArray) -> int:
         """Return the direction in which a one-sided rail pushes: 1 left, -1 right; 0 for another element."""
         if isinstance(self.element, Rail) and self.element.one_sided:
-            return int(np.sign(self.force[0] @ left_of(tangent)))
+            return int(np.sign(self.force[0] @ left_of(pair(tangent, "the tangent"))))
         return 0
 
     @property

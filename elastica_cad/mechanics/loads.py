@@ -357,6 +357,7 @@ class Supports:
         upright : bool
             True if the ends of the rod are farther apart in y than in x.
         """
+        between = numbers(between, "reactions").reshape(-1, 3).tolist()
         free = _free_motions(self, between)
         if not free.any():
             return

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_flag, require_record, several
+from elastica_cad._values import require_flag, require_number, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import FaultError, InputError, refuse_unknown
@@ -108,7 +108,9 @@ class PlateOptions:
 
     def room_beside(self, width: float) -> float:
         """Return by how much a slot is wider than the `width` that its tab needs, mm."""
-        return max(self.clearance, (self.slot_width or 0.0) - width)
+        return max(
+            self.clearance, (self.slot_width or 0.0) - require_number(width, "the width of a slot", "mm")
+        )
 
 
 @dataclass(frozen=True)

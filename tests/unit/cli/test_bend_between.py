@@ -232,7 +232,7 @@ def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
 
 @pytest.mark.campaign
 def test_the_force_is_the_larger_of_both_ends(desk):
-    options = "--point-mass 100 200 --side left"
+    options = "--point-mass 100 200"
     report = bent(options, desk)
     travel, (shape,) = report["travel"], report["shapes"]
     start, end = ([travel[f"{which}_force_{axis}_N"][0] for axis in "xy"] for which in ("start", "end"))
