@@ -1,5 +1,6 @@
 """How the manual is built: Sphinx with MyST; docs/build.py builds it in every language, a warning is an error."""
 
+import logging
 import re
 from pathlib import Path
 
@@ -10,6 +11,8 @@ from sphinx.search.zh import SearchChinese
 from elastica_cad import __version__
 
 DOCS = Path(__file__).parent
+
+logging.getLogger("jieba").setLevel(logging.WARNING)  # Chinese search: it would report each start
 
 project = "elastica_cad"
 release = __version__

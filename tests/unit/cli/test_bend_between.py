@@ -58,7 +58,7 @@ def test_options_name_the_same_elements_as_set(desk):
 
 
 def test_a_mass_that_the_design_did_not_know(desk, strip):
-    shape = bent("--point-mass 250 200 --side left", desk)["shapes"][0]
+    shape = bent("--point-mass 250 200", desk)["shapes"][0]
     gravity = ec.Sheet.named(SHEET).gravity((0.0, -1.0))
     own = ec.bend(strip.rod_to_bend, gravity=gravity, loads=ec.PointMass(250, 200))
     assert [element["kind"] for element in shape["between"]] == ["rail", "tie"]
@@ -137,7 +137,7 @@ def test_a_slat_that_is_stretched_between_fixed_ends_names_the_sliding_end(tmp_p
 
 
 def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
-    printed = run("bend out/wave.json --release --point-mass 250 0.02kg --side left --force", cwd=desk).stdout
+    printed = run("bend out/wave.json --release --point-mass 250 0.02kg --force", cwd=desk).stdout
     assert re.search(r"Load +20 g at 250 mm \(0.196 N\)", printed)
     moved = r"Movement +without rails, pins and ties, the strip moves by at most [\d.]+ mm from its design"
     assert re.search(rf"{moved}: the point \d+ mm along the strip, (up|down)ward", printed)
