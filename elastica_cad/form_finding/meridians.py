@@ -15,6 +15,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import finite, fit_spline
+from elastica_cad.mechanics.loads import whole_number
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
@@ -404,8 +405,7 @@ class Meridian:
 
         The width is 2 tan(pi / strips) times the distance from the axis.
         """
-        if strips < 3:
-            raise InputError(f"the number of strips is {strips}: give 3 or more for a surface of revolution")
+        whole_number(strips, "the number of strips of a surface of revolution", 3)
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":

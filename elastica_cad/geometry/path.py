@@ -105,8 +105,12 @@ class Line:
         """Return the line with its direction reversed."""
         return Line(self.end, self.start)
 
-    def transformed(self, matrix: FloatArray) -> "Line":
-        """Return the image of the line under a 3x3 affine matrix, which `Path.transformed` checks."""
+    def transformed(self, matrix: ArrayLike) -> "Line":
+        """Return the image of the line under a 3x3 affine matrix."""
+        return self._image(require_affine(matrix))
+
+    def _image(self, matrix: FloatArray) -> "Line":
+        """Return the image under a matrix that `Path.transformed` has checked once for all its segments."""
         return Line(*transform_points(matrix, [self.start, self.end]))
 
 
@@ -236,8 +240,12 @@ class Arc:
         """Return the arc with its direction reversed."""
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
-    def transformed(self, matrix: FloatArray) -> "Arc":
+    def transformed(self, matrix: ArrayLike) -> "Arc":
         """Return the image of the arc under a 3x3 affine matrix that moves, rotates, mirrors or scales."""
+        return self._image(require_affine(matrix))
+
+    def _image(self, matrix: FloatArray) -> "Arc":
+        """Return the image under a matrix that `Path.transformed` has checked once for all its segments."""
         if not is_similarity(matrix):
             raise InputError(
                 "an arc can only be moved, rotated, mirrored or scaled evenly: use a matrix of this kind"
@@ -838,7 +846,8 @@ class Path:
         m = require_affine(matrix)
         even = is_similarity(m)
         plain = [s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments]
-        return Path([s.transformed(m) for s in plain], self.closed)
+        images = (s.transformed(m) if isinstance(s, Spline) else s._image(m) for s in plain)
+        return Path(list(images), self.closed)
 
     def moved(self, x: float, y: float) -> "Path":
         """Return the path shifted by (x, y) mm."""

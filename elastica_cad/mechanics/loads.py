@@ -357,7 +357,10 @@ class Supports:
         upright : bool
             True if the ends of the rod are farther apart in y than in x.
         """
-        between = numbers(between, "reactions").reshape(-1, 3).tolist()
+        rows = numbers(between, "reactions")
+        if rows.size % 3:
+            raise InputError(f"the reactions have the shape {rows.shape}: give three numbers for each")
+        between = rows.reshape(-1, 3).tolist()
         free = _free_motions(self, between)
         if not free.any():
             return

@@ -342,7 +342,11 @@ class PlainSection(EqualByValue, Section):
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
         """Return the effect of anticlastic bending for widths (n,), mm, or None if Poisson's ratio is 0."""
-        return SheetCurl(parameter / self._pieces, **self._plate) if self.sheet.poisson_ratio else None
+        return (
+            SheetCurl(numbers(parameter, "widths") / self._pieces, **self._plate)
+            if self.sheet.poisson_ratio
+            else None
+        )
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
         """Return E I (n,), N mm2, for widths (n,), mm, including the plate effect of the curvature."""

@@ -234,7 +234,7 @@ class Model:
         placed = require_placed(self.placed)
         vars(self).update(
             placed=placed,
-            plates=numbered(placed, self.plates),
+            plates=numbered(placed, several("plates", self.plates, BasePlate | Rib, "Ring or Rib")),
             reports=several("reports", self.reports, str, "text"),
             name=require_name(self.name, "the model's name"),
         )

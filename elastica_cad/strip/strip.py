@@ -591,7 +591,7 @@ class Strip:
 
         If the label is the same, return the strip itself with its cached results.
         """
-        return self if label == self.label else replace(self, label=label)
+        return self if isinstance(label, str) and label == self.label else replace(self, label=label)
 
     def mirrored(self) -> "Strip":
         """Return the strip turned over about its centre line (y to -y).
