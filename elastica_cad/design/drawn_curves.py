@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, Pair
-from elastica_cad.declared import TWO_TURNS_RAD, Kind, Option, kind_of
+from elastica_cad.declared import Kind, Option, kind_of
 from elastica_cad.design.records import Reader, reads
 from elastica_cad.design.tables import Formula, Table
 from elastica_cad.errors import InputError
@@ -169,17 +169,9 @@ class EllipseArc:
 
     semi_axes: Annotated[Pair, Option("Lengths of both semi-axes.", "mm", least=0)]
     center: Annotated[Pair, Option("Centre of the ellipse.", "mm")] = (0.0, 0.0)
-    rotation: Annotated[
-        float, Option("Angle of the first axis.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD)
-    ] = 0.0
-    start: Annotated[
-        float | None,
-        Option("Parameter at the start of the arc.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD),
-    ] = None
-    end: Annotated[
-        float | None,
-        Option("Parameter at the end of the arc.", "rad", least=-TWO_TURNS_RAD, most=TWO_TURNS_RAD),
-    ] = None
+    rotation: Annotated[float, Option("Angle of the first axis.", "rad")] = 0.0
+    start: Annotated[float | None, Option("Parameter at the start of the arc.", "rad")] = None
+    end: Annotated[float | None, Option("Parameter at the end of the arc.", "rad")] = None
     above: Annotated[
         float | None,
         Option(

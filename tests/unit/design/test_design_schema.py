@@ -263,6 +263,13 @@ margin = 3
     'axis = { spline = [[10, 0], [10, 45], [10, 90]], degree = 2 }\n',
     """schema = 1
 [pair]
+first = { spline = [[0, 0], [60, 40], [120, 0]], degree = 2 }
+second = { spline = [[0, 0], [60, -30], [120, 0]], degree = 2 }
+sheet = "pom-3"
+objective = "ratio"
+""",
+    """schema = 1
+[pair]
 first = { spline = [[0, 0], [27, 0], [53, 24], [105, 24], [123, 0], [150, 0]], degree = 4 }
 second = { spline = [[0, 0], [27, 0], [53, -20], [105, -20], [123, 0], [150, 0]], degree = 4 }
 sheet = "pom-3"
@@ -270,7 +277,6 @@ match = "ends"
 scale = 1.1
 smooth = 0.1
 free = "first"
-objective = "ratio"
 least_thickness = 1.0
 fillet = 1.5
 push_at = 70
