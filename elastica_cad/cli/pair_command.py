@@ -92,7 +92,7 @@ def pair(**chosen: Any) -> None:
             raise InputError(
                 "A design file names both curves and the sheet. Leave out the other arguments and options."
             )
-        changes = {key: table for key, table in (("pair", settings), ("cut", cut)) if table}
+        changes = {key: values for key, values in (("pair", settings), ("cut", cut)) if values}
         design = merged(parse_design(require_file(path)), changes)
         spec, cutting = pair_of(design, path, read_curves), cutting_of(design, str(path))
         name = name_of_files(Table(design, str(path), {}), path)

@@ -155,7 +155,7 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
         often = {sign: sum(sign in line for line in outside) for sign in ";\t,"}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":
-        # a remark may follow the last cell, and a bracket its name
+        # leave out blanks before a bracket with a unit, and remarks behind the last cell
         numbered = [(n, re.sub(r"\s+(?=[\[(])|\s#.*", "", line.strip())) for n, line in numbered]
     reader = csv.reader((f"{line}\n" for _, line in numbered), delimiter=separator, skipinitialspace=True)
     rows: list[Row] = []

@@ -274,7 +274,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
         bounds = (trial[max(best - 1, 0)], trial[min(best + 1, 24)])
         minimum = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
         return float(np.exp(minimum.x if minimum.fun <= ratios[best] else trial[best]))
-    # the ratio decreases with tau, and the largest tau within the limit is taken
+    # each decrease of tau lowers the ratio, towards that without weight: take the largest tau within the limit
     limit = light[1] * (1 + SMOOTHING_SHARE)
     within = np.flatnonzero(ratios <= limit)[-1]
     if within == 24:

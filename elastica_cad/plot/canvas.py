@@ -240,9 +240,8 @@ def empty_figure(size: tuple[float, float]) -> Figure:
         def draw(self, renderer: Any) -> None:
             for text in self.findobj(Text):
                 text.set_parse_math(False)
-                known = get_font(findfont(text.get_fontproperties())).get_charmap()
-                words = text.get_text()
-                text.set_text("".join(c if c == "\n" or ord(c) in known else "_" for c in words))
+                glyph = get_font(findfont(text.get_fontproperties())).get_char_index  # 0 if it is missing
+                text.set_text("".join(c if c == "\n" or glyph(ord(c)) else "_" for c in text.get_text()))
             super().draw(renderer)
 
         def _repr_png_(self) -> bytes:

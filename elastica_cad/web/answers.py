@@ -197,7 +197,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
     return requested_spec(request["design"], request.get("strip", 0))
 
 
-def _strip(request: Mapping[str, Any]) -> Record:
+def _strip_or_pair(request: Mapping[str, Any]) -> Record:
     """Return the strip, or the part with two states, and the keys that have no effect on it."""
     answered = _pair(request) if "pair" in request["design"] else _bent_strip(request)
     with suppress(ElasticaError, LookupError, TypeError):
@@ -910,12 +910,12 @@ def _rounded(values: Any, digits: int) -> list[Any]:
 
 
 QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
-    "strip": _strip,
+    "strip": _strip_or_pair,
     "sheets": _sheet_rows,
     "cures": _suggestions,
     "bend": _bending_frames,
     "model": _model,
-    "pair": _strip,
+    "pair": _strip_or_pair,
     "edit": _edit,
     "read": _read_dropped,
     "file": _download,
