@@ -61,8 +61,9 @@ class Option:
     written : type or str, optional
         Type of the value in files and options, if the field accepts more. "module:name" names a record that
         is imported on use.
-    needs : str
-        Field without which this field has no effect, or "".
+    needs : str or callable
+        Field without which this field has no effect, or "". Or a function of the keys in the table that returns the
+        missing setting, such as "curves = arc", or "".
     replaces : tuple of str
         Fields that have no effect beside this field.
     """
@@ -76,7 +77,7 @@ class Option:
     group: str = ""
     common: bool = False
     written: Any = None
-    needs: str = ""
+    needs: str | Callable[[Mapping[str, Any]], str] = ""
     replaces: tuple[str, ...] = ()
 
     @property

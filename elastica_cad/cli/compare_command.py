@@ -8,10 +8,17 @@ import click
 from elastica_cad._text import distinct, file_word
 from elastica_cad.cli.options import LENGTH, refuse_idle
 from elastica_cad.cli.voice import answer, say_rows, wrote
-from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
+from elastica_cad.design.measuring_sheet import (
+    ERRORS,
+    blank_readings,
+    measuring_page,
+    read_measuring,
+    read_readings,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, text_file, write_files
+from elastica_cad.refusals import Listed
 from elastica_cad.report_rows import Row
 
 
@@ -52,6 +59,11 @@ def compare(report: Path, measured: Path | None, reading_error: float | None, fo
                 )  # fmt: skip
             rows += [Row("Strip", strip)] if strip else []
             rows += strips[strip].compare(readings, **errors)
+        rows += [
+            Row("Note", f"{key} has no effect, because none of {Listed(ERRORS[key])} is measured.")
+            for key in errors
+            if not any(readings.keys() & ERRORS[key] for readings in strips_read.values())
+        ]
         say_rows(*rows, is_answer=True)
         answer(
             {

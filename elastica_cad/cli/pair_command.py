@@ -23,7 +23,7 @@ from elastica_cad.cli.voice import answer, cut_text, say, say_rows, say_step, wr
 from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.design_file import name_of_files, parse_design
-from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, cutting_keys
+from elastica_cad.design.kit_spec import PairCutting, cutting_keys
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table, merged
@@ -48,7 +48,7 @@ class PairKeys:
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
-    cut: Annotated[Cutting, Option("Settings of cutting files.", group="files")] = DEFAULT_CUTTING
+    cut: Annotated[Any, Option("Settings of cutting files.", group="files", written=PairCutting)] = None
 
 
 _COMMON_OPTIONS = [entry for entry in declared(FlexureSpec) if entry.option.common and entry.name != "sheet"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from elastica_cad._text import plain_name
 from elastica_cad._values import require_record
-from elastica_cad.declared import Field, Option, declared, require_declared
+from elastica_cad.declared import Field, Option, Record, declared, require_declared
 from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import Scheme
@@ -36,6 +36,23 @@ def cutting_keys() -> dict[str, Field]:
     return {"for" if option.name == "recipient" else option.name: option for option in declared(Cutting)}
 
 
+def _curve_style(curves: str | None, recipient: object) -> str:
+    return curves or ("arc" if recipient == "service" else "spline")
+
+
+def _missing_for_tolerance(keys: Mapping[str, Any]) -> str:
+    """Return the missing setting: splines and Bezier curves are exact, but DXF files of version R12 have arcs
+    instead."""
+    style = _curve_style(keys.get("curves"), keys.get("for"))
+    is_exact = style not in ("arc", "polyline") and keys.get("version") != "R12"
+    return "curves = arc or polyline" if is_exact else ""
+
+
+def _missing_for_marks(keys: Mapping[str, Any]) -> str:
+    """Return the missing setting: files for a service have cuts only."""
+    return "for = workshop" if keys.get("for") == "service" else ""
+
+
 @dataclass(frozen=True)
 class Cutting:
     """Options of cutting files.
@@ -56,7 +73,12 @@ class Cutting:
         ),
     ] = "workshop"
     marks: Annotated[
-        bool, Option("Draw guide lines and the names of mating strips on the parts.", group="files")
+        bool,
+        Option(
+            "Draw guide lines and the names of mating strips on the parts.",
+            group="files",
+            needs=_missing_for_marks,
+        ),
     ] = True
     kerf: Annotated[
         float | None,
@@ -78,7 +100,15 @@ class Cutting:
         ),
     ] = None
     tolerance: Annotated[
-        float, Option("Largest error of arcs and polylines.", "mm", least=1e-4, most=10, group="files")
+        float,
+        Option(
+            "Largest error of arcs and polylines.",
+            "mm",
+            least=1e-4,
+            most=10,
+            group="files",
+            needs=_missing_for_tolerance,
+        ),
     ] = 0.02
     version: Annotated[str, Option("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
     colors: Annotated[
@@ -136,7 +166,7 @@ class Cutting:
         kerf = sheet.kerf if self.kerf is None else self.kerf
         return {
             "kerf": kerf,
-            "curves": self.curves or ("arc" if self.service else "spline"),
+            "curves": _curve_style(self.curves, self.recipient),
             "tolerance": self.tolerance,
             "version": self.version,
             "layers": self.colors,
@@ -164,6 +194,15 @@ class Cutting:
 
 
 DEFAULT_CUTTING = Cutting()
+
+
+@dataclass(frozen=True)
+class PairCutting:
+    """Keys of `Cutting` for a part with two states, which has no guide lines and no slots."""
+
+    BESIDE: ClassVar[Record] = Cutting
+    WITHOUT: ClassVar[tuple[str, ...]] = ("marks",)
+
 
 HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
 

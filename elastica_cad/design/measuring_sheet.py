@@ -33,8 +33,8 @@ DRAWN_MM = (180.0, 60.0)
 LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
 """Letter height, line spacing, and position of the second column of the page, mm."""
 
-ERRORS = ("reading_error", "angle_error")
-"""Keys, in a file of measured values, of the standard errors of lengths (mm) and of angles (degrees)."""
+ERRORS = {"reading_error": LENGTHS, "angle_error": ANGLES}
+"""Quantities whose standard error (mm or degrees) a key in a file of measured values sets."""
 
 WORDS = {
     "chord": "from end to end of the free part",

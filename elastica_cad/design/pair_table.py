@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from elastica_cad.design.design_file import own_sheets, parse_design, top_table
-from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.kit_spec import Cutting, PairCutting
 from elastica_cad.design.model_tables import share_keys
 from elastica_cad.design.records import CurveReader, Reader
 from elastica_cad.design.strip_table import SHARED
@@ -24,7 +24,7 @@ def read_pair(path: Path, read_curves: CurveReader) -> FlexureSpec:
 
 def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
     """Make the options of cutting files from the table [cut] of parsed tables. `where` is the name of the file."""
-    cutting: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
+    cutting: Cutting = Reader().record(PairCutting, Table(data, where, {}).table("cut"))
     return cutting
 
 

@@ -22,7 +22,7 @@ from elastica_cad.declared import (
     require_bounds,
 )
 from elastica_cad.defaults import KERF
-from elastica_cad.design.kit_spec import Cutting, cutting_keys
+from elastica_cad.design.kit_spec import Cutting, PairCutting, cutting_keys
 from elastica_cad.design.tables import FORMER_KEYS, OTHER_WORDS, Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.form_finding.limits import Limits
@@ -86,7 +86,7 @@ BY_KIND: dict[Record, dict[str, Record]] = {
 }
 """Kinds of a record, by the value of the key `kind`. The first kind is the default."""
 
-MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
+MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting, PairCutting: _cutting}
 """Functions that make a record from its table, if its class does not accept all values of the table."""
 
 WRITTEN: dict[Record, Kind] = {
@@ -139,7 +139,8 @@ def idle_keys(record: Record, table: Table) -> dict[str, Refusal]:
     """
     idle = {}
     for entry in fields_of(record):
-        needed = entry.option.needs
+        needs = entry.option.needs
+        needed = needs if isinstance(needs, str) else needs(table.data)
         if needed and not table.has(needed):
             idle[entry.name] = note(
                 "{place} has no effect without {other}. Set {other}, or leave out {key}.",

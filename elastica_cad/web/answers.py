@@ -201,7 +201,9 @@ def _strip_or_pair(request: Mapping[str, Any]) -> Record:
     """Return the strip, or the part with two states, and the keys that have no effect on it."""
     answered = _pair(request) if "pair" in request["design"] else _bent_strip(request)
     with suppress(ElasticaError, LookupError, TypeError):
-        answered["idle"] = idle_beside(request["design"], request.get("strip", 0))
+        answered["idle"] = [
+            *answered.get("idle", ()), *idle_beside(request["design"], request.get("strip", 0)),
+        ]  # fmt: skip
     return answered
 
 
@@ -724,6 +726,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
         "text": str(pair.check),
         "length": round(pair.length, 2),
         "rows": _rows(in_order([*rows, together, *faults])),
+        "idle": [] if pair.bistable else ["push_at"],
     }
 
 

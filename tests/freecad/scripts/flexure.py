@@ -120,6 +120,11 @@ def work():
 
     open_panel("Elastica_Export", part)
     answers["pieces"] = [piece.name for piece in panel().pieces]
+    lines, tolerance = panel().form.curves, panel().form.tolerance
+    for style in ("arc", "bezier", "polyline", "spline"):  # splines are exact
+        lines.setCurrentIndex(lines.findData(style))
+        until(lambda style=style: tolerance.isEnabled() == (style in ("arc", "polyline")))
+    picture("exact.png")
     type_into(panel().form.folder, str(OUT / "files"))
     button()
     until(lambda: (OUT / "files").is_dir() and shown_message())

@@ -93,6 +93,21 @@ def test_errors_of_the_readings_are_typed_or_stand_in_the_file(report, tmp_path)
 
 
 @pytest.mark.parametrize(
+    ("text", "idle"),
+    [
+        ("start_angle = 30", ["reading_error"]),
+        ("chord = 300\nangle_error = 2", ["angle_error"]),
+        ("chord = 300\nend_angle = 3\nangle_error = 2", []),
+    ],
+)
+def test_a_note_names_the_error_of_readings_that_were_not_taken(report, tmp_path, text, idle):
+    readings = tmp_path / "measured.toml"
+    readings.write_text(text)
+    output = run("compare", report, readings, "--reading-error", 1).output
+    assert re.findall(r"^Note +(\w+) has no effect", output, re.MULTILINE) == idle
+
+
+@pytest.mark.parametrize(
     ("text", "said"),
     [
         ("chord = 'wide'", "chord is not a number"),

@@ -16,6 +16,7 @@ from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import SHARED
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.source_file import read_below
+from elastica_cad.kit.kit import cutting_files
 from elastica_cad.kit.kit_contents import kit_contents
 from tests.dome import dome, obj_text
 
@@ -153,6 +154,7 @@ DESIGNS = {
     "repeated": strips(patterns=[{"repeat": {"count": 2, "step": [0, 90, 0]}}]),
     "felt": strips(sheet="felt", sheets={"felt": FELT}),
     "kerf": strips(sheet="felt", sheets={"felt": FELT | {"kerf_mm": 0.2}}, cut={"kerf": "sheet"}),
+    "arcs": strips(cut={"curves": "arc"}),
     "grainy": strips(**WOOD, gravity=True),
     "points": revolved(),
     "falling": revolved(points=[[125, 0], [110, 40], [90, 80], [75, 120]]),
@@ -410,13 +412,13 @@ ROWS = [
             "for": "service",
             "marks": False,
             "kerf": 0.4,
-            "curves": "arc",
-            "tolerance": 0.5,
+            "curves": "polyline",
             "version": "R12",
             "colors": "boxes",
             "holding": {"width": 0.4},
         },
     ),
+    ("cutting", "arcs", "cut", {"tolerance": 0.5}),
     ("holding tabs", "arch", "cut.holding", {"width": 0.5, "spacing": 50, "least": 3, "inner": True}),
     ("extras", "arch", "extras", {"coupon": True, "reference_bar": 70, "pages": "A3"}),
     ("mirror pattern", "arch", "patterns.0", {"mirror": {"point": [0, -9, 0], "normal": [0, 1, 0]}}),
@@ -755,6 +757,42 @@ def model_answer(design, folder, *, effects):
     )
 
 
+FILES = {
+    "workshop": {},
+    "old": {"version": "R12"},
+    "arcs": {"curves": "arc"},
+    "service": {"for": "service"},
+    "splines": {"for": "service", "curves": "spline"},
+}
+"""Tables `cut` for different lines in the files."""
+
+WITHOUT_EFFECT = {"marks": ("service", "splines"), "tolerance": ("workshop", "splines")}
+"""Tables of `FILES` beside which a key is refused, because it would not change the files."""
+
+
+def files_of(design, folder):
+    """The bytes of the cutting files of the only strip of a design, or the text of its refusal."""
+    requested = read(design, folder)
+    if isinstance(requested, str):
+        return requested
+    (strip,), cutting = requested.model().strips, requested.kit.cutting
+    files = cutting_files(strip.drawing(), "strip", cutting, strip.sheet)
+    return {file.name: file.write(folder / file.name).read_bytes() for file in files}
+
+
+@pytest.mark.parametrize("key", sorted(TABLES["cutting"]))
+@pytest.mark.parametrize("cut_for", FILES)
+def test_a_key_of_the_cutting_files_changes_them_or_is_refused(cut_for, key, tmp_path):
+    """The strip has guide lines at its tabs."""
+    design = changed(DESIGNS["tab"], "cut", FILES[cut_for] | {"kerf": 0.2})
+    (tmp_path / "after").mkdir()
+    before = files_of(design, tmp_path)
+    after = files_of(changed(design, f"cut.{key}", OWN["cutting", key][3]), tmp_path / "after")
+    assert key in FILES[cut_for] or after != before
+    assert not isinstance(before, str)
+    assert ("has no effect without" in after) == (cut_for in WITHOUT_EFFECT.get(key, ()))
+
+
 def pair_answer(design, folder):
     """What a design of a part with two states makes, as data."""
     spec = pair_of(design, folder / "design.toml", read_curves)
@@ -909,6 +947,14 @@ def test_a_strip_with_a_section_leaves_the_widths_to_the_others(folder):
         (changed(DESIGNS["points"], "revolution.angle", 1), "angle has no effect without a"),
         (changed(DESIGNS["rings"], "rings.spacers", 3), "spacers has no effect without gap"),
         (changed(DESIGNS["thickness"], "compensate", True), "compensate has no effect beside section"),
+        (
+            changed(DESIGNS["arch"], "cut", {"tolerance": 0.02}),
+            "tolerance has no effect without curves = arc or polyline",
+        ),
+        (
+            changed(DESIGNS["arch"], "cut", {"marks": True, "for": "service"}),
+            "marks has no effect without for = workshop",
+        ),
         (changed(DESIGNS["pair"], "nest", {}), "nest has no effect on a part with two states"),
         (
             changed(changed(DESIGNS["pair"], "pair.free", "second"), "pair.objective", "ratio"),
@@ -925,6 +971,11 @@ def test_a_strip_with_a_section_leaves_the_widths_to_the_others(folder):
 )
 def test_a_key_of_a_kind_that_is_not_chosen_is_refused(design, place, folder):
     assert place in read(design, folder)
+
+
+def test_a_part_with_two_states_has_no_guide_lines_to_leave_out():
+    with pytest.raises(InputError, match="unknown key 'marks'"):
+        cutting_of({"cut": {"marks": False}})
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,8 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.panel import Panel
 
 from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.records import idle_keys
+from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import CURVES
 from elastica_cad.formats.dxf_drawing import DXF_VERSIONS
@@ -74,18 +76,27 @@ class ExportPanel(Panel):
             for name in ("version", "label_1_DXFversion"):
                 getattr(form, name).hide()
         self.words = words
-        self.watch("kerf")
+        self.watch("kerf", "curves", "version")
         self.changed()
 
     def changed(self) -> None:
         """Show the messages on the parts, whether the kerf is compensated, and the sizes of the parts."""
+        chosen = {"curves": self.value("curves"), "version": self._cutting().version}
+        self.form.tolerance.setEnabled("tolerance" not in idle_keys(Cutting, Table(chosen, "", {})))
         words = [*self.words, *self._kerf_notes(), *map(_piece_line, self.pieces)]
         self.show_message(sentences(words, "\n"))
 
-    def _kerf_notes(self) -> list[str]:
-        text = Cutting(kerf=self.value("kerf")).kerf_note(
-            [piece.sheet for piece in self.pieces], of_sheet=False
+    def _cutting(self) -> Cutting:
+        return cutting_of(
+            kerf=self.value("kerf"),
+            curves=self.value("curves"),
+            tolerance=self.value("tolerance"),
+            version=self.form.version.currentText(),
+            marks=self.form.marks.isChecked(),
         )
+
+    def _kerf_notes(self) -> list[str]:
+        text = self._cutting().kerf_note([piece.sheet for piece in self.pieces], of_sheet=False)
         return [] if text is None else [text]
 
     def browse(self, *_: Any) -> None:
@@ -129,13 +140,7 @@ class ExportPanel(Panel):
                 folder,
                 kinds=kinds,
                 sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
-                cutting=cutting_of(
-                    kerf=self.value("kerf"),
-                    curves=self.value("curves"),
-                    tolerance=self.value("tolerance"),
-                    version=self.form.version.currentText(),
-                    marks=self.form.marks.isChecked(),
-                ),
+                cutting=self._cutting(),
                 force=self.form.force.isChecked(),
                 step=go_on,
             )
