@@ -69,6 +69,8 @@ def test_properties_of_a_kind_not_chosen_are_grey_and_without_effect(document, d
         "Backing",
         "RatioLimit",
         "KeepLine",
+        "KeepPoints",
+        "Slots",
         "Law",
         "Style",
         "GravityLength",
@@ -78,18 +80,21 @@ def test_properties_of_a_kind_not_chosen_are_grey_and_without_effect(document, d
     def grey():
         return {name for name in names if "ReadOnly" in feature.getEditorMode(name)}
 
-    assert grey() == {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine", "GravityLength"}
+    exact = {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine", "KeepPoints"}
+    assert grey() == exact | {"GravityLength"}
     change(feature, Gravity=True, Blank="stations = [0, 400], curvatures = [0, 0]")
-    assert grey() == {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine", "NaturalCurvature"}
+    assert grey() == exact | {"NaturalCurvature"}
     names -= {"GravityLength", "NaturalCurvature"}
     change(feature, Gravity=False, Blank="")
     change(feature, Sheet="pom-1", Style="Perforated", Follow="Nearest", LimitMargin=False)
     assert grey() == {"MaxWidth", "Backing"}
     change(feature, Style="Plain", Follow="Exactly", Compensate=True, Law='kind = "rod", limits = [0.5, 3]')
-    assert grey() == {"MaxWidth", "Compensate", "OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine"}
+    assert grey() == exact | {"MaxWidth", "Compensate", "Slots"}
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     rod = feature.Shape.Volume
-    change(feature, Columns=3, RatioLimit=1.5, MaxWidth=9)
+    change(
+        feature, Columns=3, RatioLimit=1.5, MaxWidth=9, KeepPoints=[5000.0], Slots=["at = 60, width = 1.2"]
+    )
     assert feature.Shape.Volume == pytest.approx(rod, rel=1e-12)
     change(feature, Law="")
-    assert "MaxWidth" not in grey()
+    assert grey() == exact

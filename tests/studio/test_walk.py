@@ -122,7 +122,7 @@ UNCHOSEN = [
     ("style", "1", {"width": "50", "columns": "3"}),
     ("ends", "0", {"length": "25", "corner_radius": "2"}),
     ("limits", "0", {"ratio": "4", "margin": "2"}),
-    ("keep", "0", {"symmetry": "mirror"}),
+    ("keep", "0", {"symmetry": "mirror", "points": "60; 200"}),
     ("loads", "0", {"alpha": "2"}),
     ("shop", "0", {"least_width": "3"}),
     ("tolerance", "0", {"kerf": "0.1"}),
@@ -171,8 +171,12 @@ def test_what_a_section_or_limits_replace_is_grey_and_comes_back(server, tmp_pat
         studio.all(".rest summary")[0].click()
         studio.type("#field-samples", "120")
         size = studio.until(lambda: studio.text(".numbers dd")).partition(" g")[0]
+        studio.choose("#field-slots-add", "0")
+        studio.type("#field-slots-0-at", "90")
+        studio.until(lambda: linked(studio.browser.current_url)["strips"][0]["slots"][0]["at"] == 90)
         studio.choose("#field-section", "0")
         studio.until(lambda: grey(studio, "max_width")[0])
+        assert grey(studio, "slots-0-at") == (True, "90")
         assert grey(studio, "max_width") == (True, "40")
         assert grey(studio, "min_width") == grey(studio, "compensate") == (True, "")
         studio.type("#field-section-limits", "0.4; 2")
@@ -180,9 +184,11 @@ def test_what_a_section_or_limits_replace_is_grey_and_comes_back(server, tmp_pat
         studio.until(lambda: "20 mm wide" in studio.text(".numbers dd"))
         design = tomllib.loads(studio.download("design", "arch.toml").read_text())
         assert "max_width" not in design
+        assert "slots" not in design["strips"][0]
         studio.choose("#field-section", "")
         studio.until(lambda: studio.text(".numbers dd").startswith(size))
         assert grey(studio, "max_width") == (False, "40")
+        assert grey(studio, "slots-0-at") == (False, "90")
 
         studio.tool("nearest")
         studio.until(lambda: grey(studio, "samples") == (True, "120"))
