@@ -545,7 +545,7 @@ class StripSpec(EqualByValue):
         Option(
             "Section: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
             group="widths",
-            replaces=("max_width", "min_width", "compensate", "slots"),
+            replaces=("max_width", "min_width", "compensate", "slots", "style"),
         ),
     ] = None
     ignore_limits: Annotated[

@@ -2,6 +2,7 @@
 
 import pytest
 from freecad.elastica_wb.features import strip
+from freecad.elastica_wb.features.flat import layers_of
 
 from elastica_cad import PlaneCurve, Sheet, make_strip
 from elastica_cad.mechanics import RoundLaw, ThicknessLaw
@@ -89,12 +90,17 @@ def test_properties_of_a_kind_not_chosen_are_grey_and_without_effect(document, d
     change(feature, Sheet="pom-1", Style="Perforated", Follow="Nearest", LimitMargin=False)
     assert grey() == {"MaxWidth", "Backing"}
     change(feature, Style="Plain", Follow="Exactly", Compensate=True, Law='kind = "rod", limits = [0.5, 3]')
-    assert grey() == exact | {"MaxWidth", "Compensate", "Slots"}
+    assert grey() == exact | {"MaxWidth", "Compensate", "Slots", "Style"}
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     rod = feature.Shape.Volume
     change(
         feature, Columns=3, RatioLimit=1.5, MaxWidth=9, KeepPoints=[5000.0], Slots=["at = 60, width = 1.2"]
     )
     assert feature.Shape.Volume == pytest.approx(rod, rel=1e-12)
-    change(feature, Law="")
+    for style in ("Perforated", "Laminated"):
+        change(feature, Style=style)
+        assert feature.Shape.Volume == pytest.approx(rod, rel=1e-12)
+        assert grey() == exact | {"MaxWidth", "Compensate", "Slots", "Style"}
+        assert len(layers_of(feature)) == 1
+    change(feature, Law="", Style="Plain")
     assert grey() == exact

@@ -66,7 +66,10 @@ SECTION = {"kind": "thickness", "limits": [0.4, 3], "width": 20}
 @pytest.mark.parametrize(
     ("keys", "idle"),
     [
-        ({"section": SECTION, "min_width": 3, "compensate": True}, {"max_width", "min_width", "compensate"}),
+        (
+            {"section": SECTION, "min_width": 3, "compensate": True},
+            {"max_width", "min_width", "compensate", "slots", "style"},
+        ),
         ({"limits": {"ratio": 5}, "samples": 120}, {"samples"}),
         ({"keep": {"ends": True}, "samples": 120}, {"samples"}),
     ],
@@ -85,6 +88,10 @@ def test_keys_without_effect_are_answered_as_if_they_were_not_there(keys, idle):
         "file", design=acting, kind="dxf"
     )
     assert answer_to("save", design=design(**given), copy=True) == answer_to("save", design=acting, copy=True)
+    if "section" in given:
+        slotted = strip | {"slots": [{"at": 90, "width": 1.2}], "style": {"kind": "perforated", "width": 50}}
+        with_slot = answer_to("strip", design=design(**given, strips=[slotted]))
+        assert with_slot == told
     other = design(**given, strips=[strip, strip | {"label": "A2", "section": SECTION}])
     assert answer_to("strip", design=other, strip=1).get("refused") is None
 

@@ -171,24 +171,19 @@ def test_what_a_section_or_limits_replace_is_grey_and_comes_back(server, tmp_pat
         studio.all(".rest summary")[0].click()
         studio.type("#field-samples", "120")
         size = studio.until(lambda: studio.text(".numbers dd")).partition(" g")[0]
-        studio.choose("#field-slots-add", "0")
-        studio.type("#field-slots-0-at", "90")
-        studio.until(lambda: linked(studio.browser.current_url)["strips"][0]["slots"][0]["at"] == 90)
         studio.choose("#field-section", "0")
         studio.until(lambda: grey(studio, "max_width")[0])
-        assert grey(studio, "slots-0-at") == (True, "90")
         assert grey(studio, "max_width") == (True, "40")
         assert grey(studio, "min_width") == grey(studio, "compensate") == (True, "")
+        assert grey(studio, "style")[0]
         studio.type("#field-section-limits", "0.4; 2")
         studio.type("#field-section-width", "20")
         studio.until(lambda: "20 mm wide" in studio.text(".numbers dd"))
         design = tomllib.loads(studio.download("design", "arch.toml").read_text())
         assert "max_width" not in design
-        assert "slots" not in design["strips"][0]
         studio.choose("#field-section", "")
         studio.until(lambda: studio.text(".numbers dd").startswith(size))
         assert grey(studio, "max_width") == (False, "40")
-        assert grey(studio, "slots-0-at") == (False, "90")
 
         studio.tool("nearest")
         studio.until(lambda: grey(studio, "samples") == (True, "120"))

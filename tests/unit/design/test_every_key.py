@@ -948,6 +948,14 @@ def test_a_strip_with_a_section_leaves_the_widths_to_the_others(folder):
         (changed(DESIGNS["rings"], "rings.spacers", 3), "spacers has no effect without gap"),
         (changed(DESIGNS["thickness"], "compensate", True), "compensate has no effect beside section"),
         (
+            changed(DESIGNS["thickness"], "style", {"kind": "perforated", "width": 24}),
+            "style has no effect beside section",
+        ),
+        (
+            changed(DESIGNS["thickness"], "strips.0.slots", [{"at": 90, "width": 1}]),
+            "slots has no effect beside section",
+        ),
+        (
             changed(DESIGNS["arch"], "cut", {"tolerance": 0.02}),
             "tolerance has no effect without curves = arc or polyline",
         ),

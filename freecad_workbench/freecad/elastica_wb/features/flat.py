@@ -11,6 +11,7 @@ from freecad.elastica_wb.curves.part_shapes import is_bounded
 from freecad.elastica_wb.features.model import shown_model
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import shown_strip
+from freecad.elastica_wb.features.strip_properties import style_of
 from freecad.elastica_wb.host.objects import is_flat, is_model, is_strip
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
@@ -64,7 +65,7 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 
 def layers_of(strip: Any) -> list[str]:
     """Return the names of the layers of a strip. Each layer is cut from its own sheet."""
-    return LAYERS if strip.Style == "Laminated" else LAYERS[:1]
+    return LAYERS if style_of(strip) == "Laminated" else LAYERS[:1]
 
 
 def missing_layers(strip: Any) -> list[str]:

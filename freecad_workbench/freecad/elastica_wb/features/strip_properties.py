@@ -299,7 +299,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     """
     _refuse_slips(obj, drawn)
     sheets = {SHEET: sheet_of(obj)}
-    if obj.Style == "Laminated":
+    if style_of(obj) == "Laminated":
         sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
     nearest = obj.Follow == "Nearest"
     fields = {path: field for path, field in FIELDS.items() if _has_effect(obj, path, nearest=nearest)}
@@ -402,10 +402,15 @@ def _design_table(
     return Table(table, "", {})
 
 
+def style_of(obj: Any) -> str:
+    """Return the style of a strip. A section has no other style than "Plain"."""
+    return "Plain" if obj.Law.strip() else str(obj.Style)
+
+
 def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
     table, _, key = path.rpartition(".")
     if table == "style":
-        return key in names_of(BY_KIND[Style][obj.Style.lower()])
+        return key in names_of(BY_KIND[Style][style_of(obj).lower()])
     if table in ("limits", "keep"):
         return nearest
     if obj.Law.strip() and path in FIELDS["section"].option.replaces:
@@ -422,10 +427,10 @@ def show_idle(obj: Any) -> None:
     if not nearest:
         idle |= {entry.name for entry in PROPERTIES if entry.group == "Nearest" and entry.name != "Follow"}
     if with_section:
-        idle |= {"Compensate", "Anticlastic"}
-    if with_section or obj.Style == "Plain":
+        idle |= {"Compensate", "Anticlastic", "Style"}
+    if style_of(obj) == "Plain":
         idle.add("MaterialWidth")
-    if obj.Style != "Laminated":
+    if style_of(obj) != "Laminated":
         idle.add("Backing")
     if not obj.Gravity:
         idle |= {"GravityDirection", "GravityLength"}
@@ -483,17 +488,19 @@ def sheet_of(obj: Any) -> Sheet:
     return replace(sheet, thickness=thickness, thickness_range=None)
 
 
-def _style(obj: Any) -> dict[str, Any]:
-    kind = obj.Style.lower()
+def _style(obj: Any) -> dict[str, Any] | None:
+    kind = style_of(obj).lower()
+    if kind == "plain":  # the default, which a section replaces
+        return None
     return {"kind": kind, "backing": BACKING} if kind == "laminated" else {"kind": kind}
 
 
 def _max_width(obj: Any) -> float | None:
-    return None if obj.Style == "Plain" or obj.Law.strip() else obj.MaterialWidth.Value or None
+    return None if style_of(obj) == "Plain" else obj.MaterialWidth.Value or None
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
+    return {"least_ligament": obj.LeastLigament.Value} if style_of(obj) == "Perforated" else None
 
 
 def _compensate(obj: Any) -> bool | None:
