@@ -90,18 +90,13 @@ class FlexureFeature(Feature):
         CONTAINERS,
     )
     sheets: ClassVar = {"Sheet": "SheetData"}
+    deciding = ("Free",)
 
-    def ensure(self, obj: Any) -> None:
-        """Add missing properties. Properties without effect are read-only."""
-        super().ensure(obj)
-        _show_idle(obj)
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        """Make the properties read-only that have no effect beside the new value."""
-        super().onChanged(obj, name)
-        # while the properties are added, those that follow are still missing
-        if name == "Free" and CONTAINERS.name in obj.PropertiesList:
-            _show_idle(obj)
+    def show_idle(self, obj: Any) -> None:
+        """Make the properties read-only that have no effect, such as PushAt if the ends are free."""
+        idle = idle_keys(FlexureKeys, _table_of(obj))
+        for name, (path, _) in FIELDS.items():
+            obj.setEditorMode(name, int(path in idle))
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
@@ -169,12 +164,6 @@ def _table_of(obj: Any) -> Table:
         if value is not None:
             put_key(table, path, value)
     return Table(table, "", {})
-
-
-def _show_idle(obj: Any) -> None:
-    idle = idle_keys(FlexureKeys, _table_of(obj))
-    for name, (path, _) in FIELDS.items():
-        obj.setEditorMode(name, int(path in idle))
 
 
 def flexure_of(obj: Any) -> Flexure:

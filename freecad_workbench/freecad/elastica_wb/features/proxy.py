@@ -79,6 +79,8 @@ class Feature(Unsaved):
     sheets: ClassVar[Mapping[str, str]] = {}
     """Names of the properties with sheet data, by the properties with sheet names."""
     choices: ClassVar[frozenset[str]] = frozenset()
+    deciding: ClassVar[tuple[str, ...]] = ()
+    """Names of the properties whose values decide which other properties have an effect."""
     chosen: str | None = None
     """Value of an enumeration property before its current change, or None if that value was invalid."""
 
@@ -102,7 +104,7 @@ class Feature(Unsaved):
         dress(obj)
 
     def ensure(self, obj: Any) -> None:
-        """Add missing properties and update the list of sheets."""
+        """Add missing properties, update the list of sheets, and make properties without effect read-only."""
         sheet_names = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
         ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR, RECORDS))
         for name in self.sheets:
@@ -110,6 +112,10 @@ class Feature(Unsaved):
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
             setattr(obj, name, chosen)
             _show_title(obj, name)
+        self.show_idle(obj)
+
+    def show_idle(self, obj: Any) -> None:
+        """Make the properties read-only that have no effect beside the present values of others."""
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
         """Store a valid choice before it changes. If a formula sets an invalid choice, the old one is restored."""
@@ -119,13 +125,17 @@ class Feature(Unsaved):
     def onChanged(self, obj: Any, name: str) -> None:
         """Replace an invalid choice, and update the property Containers after a change of the sources.
 
-        After the choice of another sheet, set thickness, sheet data and colour.
+        After the choice of another sheet, set thickness, sheet data and colour. Properties that lose or gain
+        their effect by the change become read-only or editable.
         """
         # FreeCAD calls this method for every written result, so slow checks come last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
                 choose_again(obj, name, self.chosen)
             return
+        # a new object or a copy gets its properties one by one, and `ensure` follows when it has all
+        if name in self.deciding and all(entry.name in obj.PropertiesList for entry in self.properties):
+            self.show_idle(obj)
         if (name not in FOLLOWED and name not in self.sheets) or "Restore" in obj.State:
             return
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:

@@ -71,14 +71,14 @@ class StripFeature(Feature):
 
     properties = PROPERTIES
     sheets: ClassVar = {"Sheet": "SheetData", "Backing": "BackingData"}
+    deciding = ("Style", "Law", "Follow", "Gravity", "Blank")
 
     def __init__(self, obj: Any) -> None:
         super().__init__(obj)
         obj.Anticlastic = True
 
-    def ensure(self, obj: Any) -> None:
-        """Add missing properties. Properties without effect are read-only."""
-        super().ensure(obj)
+    def show_idle(self, obj: Any) -> None:
+        """Make the properties read-only that have no effect beside the present values of others, such as Style."""
         show_idle(obj)
 
     def onDocumentRestored(self, obj: Any) -> None:
@@ -100,12 +100,6 @@ class StripFeature(Feature):
         positions refer to the current curve and are not scaled.
         """
         super().onChanged(obj, name)
-        # while the properties are added, those that follow are still missing
-        if (
-            name in ("Style", "Law", "Follow", "Gravity", "Blank")
-            and PROPERTIES[-1].name in obj.PropertiesList
-        ):
-            show_idle(obj)
         if (
             name in ("Between", "Loads")
             and "Restore" not in obj.State
