@@ -221,6 +221,26 @@ def test_links_and_copies(document, sketch, move_pole):
     assert link.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
 
 
+@pytest.mark.parametrize("kind", proxy.Feature.__subclasses__(), ids=lambda kind: kind.__name__)
+@pytest.mark.parametrize("backwards", [False, True])
+def test_properties_arrive_one_by_one_and_in_another_order(document, kind, backwards):
+    """A copy and a file bring them by name, and FreeCAD reports each to an object that lacks the others."""
+    whole = document.addObject("Part::FeaturePython", "Whole")
+    kind(whole)
+    half = document.addObject("Part::FeaturePython", "Half")
+    half.Proxy = kind.__new__(kind)
+    for name in sorted((entry.name for entry in kind.properties), reverse=backwards):
+        half.addProperty(whole.getTypeIdOfProperty(name), name)
+        if choices := whole.getEnumerationsOfProperty(name):
+            setattr(half, name, choices)
+        setattr(half, name, getattr(whole, name))
+        half.Proxy.onBeforeChange(half, name)
+        half.Proxy.onChanged(half, name)
+    half.Proxy.onDocumentRestored(half)
+    for name in whole.PropertiesList:
+        assert half.getEditorMode(name) == whole.getEditorMode(name), name
+
+
 def test_expressions_and_spreadsheets(document, sketch):
     sheet = document.addObject("Spreadsheet::Sheet", "Numbers")
     sheet.set("A1", "=12 mm")

@@ -541,6 +541,8 @@ def test_buttons_carry_the_numbers_of_a_refusal(tmp_path):
     assert found["breaks"][1][-1] == "Make it anyway"
     assert found["Make it anyway"][0] == good
     assert found["anyway"] == [True, 4]
+    assert found["smoothed"] == ["Up-to-date", []]
+    assert 0 < found["moved"] <= 0.1
     assert found["kinks"] == ["Up-to-date", ["Smooth the curve by at most 0.1 mm."]]
     assert found["Smooth the curve by at most 0.1 mm."][:2] == [good, []]
     assert found["smooth"] == 0.1

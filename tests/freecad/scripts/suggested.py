@@ -23,6 +23,7 @@ from inside import (
     picture,
     press,
     run,
+    scroll_to,
     sketch,
     suggested,
     suggestions,
@@ -88,6 +89,11 @@ def work():
     until(lambda: document.getObject("Strip") is None)
     cubic = sketch(document, [(x + 200, y) for x, y in BOW], degree=3, name="Cubic")
     strip = strip_along(document, cubic)
+    seen("smoothed", strip)
+    answers["moved"] = strip.Deviation.Value
+    scroll_to(panel().form.AsDrawn)
+    click(panel().form.AsDrawn)
+    until(lambda: strip.AsDrawn and suggestions())
     seen("kinks", strip)
     taken(suggestions()[0], strip)
     answers["smooth"] = strip.Smooth.Value
