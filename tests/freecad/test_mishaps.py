@@ -59,7 +59,7 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     lost = missing["file"]
     assert found["told again"] == found["file found, told"] == []
     assert found["panels"] == [lost, f"There is no strip.\n{lost}"]
-    assert found["export"] == lost
+    assert found["export"] == f"Strip is left out: {lost}"
     seen, reasons, volume = found["numbers there"]
     (message,) = found["numbers lost, told"]
     assert message.startswith(
@@ -69,7 +69,7 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     assert sentence.endswith("). Correct or remove the formula.")
     assert found["numbers lost"] == [dict.fromkeys(seen, False), [sentence], volume]
     assert found["panel of the formula"] == f"There is no strip.\n{sentence}"
-    assert found["export of the formula"] == sentence
+    assert found["export of the formula"] == f"Strip is left out: {sentence}"
     assert found["numbers found"] == [seen, reasons, volume]
     assert all(seen.values())
     arch = ["Up-to-date", pytest.approx(50), pytest.approx(90.4, abs=0.5), pytest.approx(20)]
