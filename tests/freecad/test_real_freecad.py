@@ -69,6 +69,10 @@ def test_without_the_workbench(tmp_path):
         App.closeDocument(again.Name)
 
 
+SMOOTHED = {"Flexure": 12617.4735}
+"""Volume, mm3, of a stored part whose curves are cubics with corners. Both are smoothed now, by 0.096 mm."""
+
+
 @pytest.mark.campaign
 def test_files_of_earlier_versions_in_a_window(tmp_path):
     data = Path(__file__).parent / "data"
@@ -87,7 +91,7 @@ def test_files_of_earlier_versions_in_a_window(tmp_path):
             assert one["icon"]
             assert one["state"] == ["Up-to-date"], (name, one["said"])
             before, after = one["volumes"]
-            assert after == pytest.approx(before, rel=1e-5), name
+            assert after == pytest.approx(SMOOTHED.get(name, before), rel=1e-5), name
     assert len(kinds) == 11
 
 
