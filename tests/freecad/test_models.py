@@ -781,7 +781,7 @@ def test_labels_that_cannot_be_engraved(document, standing, tmp_path, labels, en
         assert one.State == ["Up-to-date"], one.getStatusString()
     cuts = cuts_of([made])
     assert tuple(cut.piece.name for cut in cuts) == labels
-    assert tuple(cut.strip.engraved for cut in cuts) == engraved, "the name where no letter can be engraved"
+    assert tuple(cut.strip.engraved for cut in cuts) == engraved, "a number where letters cannot be engraved"
     assert len(write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "step"))) == 6
 
 
