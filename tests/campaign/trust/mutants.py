@@ -196,7 +196,9 @@ def main():
     )
     parser.add_argument("--count", type=int, default=400)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=600.0)
+    parser.add_argument(
+        "--minutes", type=float, default=600.0, help="for the mutants, after 40 minutes that find their tests"
+    )
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
     parser.add_argument(
         "--known", type=Path, help="where what is known without a change is kept for other runs"
@@ -227,7 +229,7 @@ def main():
             turns = asked_again(copy, found, known, arguments.tests, arguments.again)
         else:
             turns = asked_first(copy, found, known, arguments.count, arguments.seed)
-        since = time.monotonic()  # the map of tests and lines takes three quarters of an hour of its own
+        since = time.monotonic()
         for one in turns:
             print(json.dumps(one), flush=True)
             log.write_text(json.dumps(found, indent=1) + "\n")
