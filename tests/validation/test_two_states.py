@@ -144,6 +144,15 @@ def test_a_zero_at_an_end_is_met():
     assert max(rod.residual for rod in pair.states) < 1e-8
 
 
+@pytest.mark.parametrize(
+    ("place", "found"), [(5e-5, 0.0), (5e-4, 5e-4), (100 - 5e-4, 100 - 5e-4), (100 - 5e-5, 100.0)]
+)
+def test_a_zero_closer_to_an_end_than_a_millionth_of_the_length_is_at_the_end(place, found):
+    s = np.polynomial.Polynomial([0, 1.0])
+    (zero,) = check_pair(*bent_like((s - place) * 4e-4, 1e-12)).zeros
+    assert (zero.s, zero.order) == (pytest.approx(found, abs=1e-7), 1)
+
+
 def test_what_cannot_be_met_is_named_with_its_order():
     s = np.polynomial.Polynomial([0, 1.0])
     check = check_pair(*bent_like(((s - 40) ** 3 + 1e-6 * (s - 40)) * 1e-6, 1e-12))
@@ -155,6 +164,26 @@ def test_what_cannot_be_met_is_named_with_its_order():
     with pytest.raises(NotRealizable) as refused:
         two_state_rod(check.first, check.second)
     assert refused.value.check.unmet[0].order == 2
+
+
+def test_a_jump_of_the_second_curvature_is_a_step_of_the_stiffness():
+    """Only the second curve consists of two arcs, of radius 60 and 45 mm; their joint is at 37 mm."""
+    turn = 37 / 60
+    arcs = (
+        PlaneCurve.arc((0, 0), 60, 0, turn),
+        PlaneCurve.arc((15 * np.cos(turn), 15 * np.sin(turn)), 45, turn, turn + 63 / 45),
+    )
+    knots = np.concatenate([arcs[0].knots[:-1], arcs[1].knots[3:] + arcs[0].knots[-1]])
+    points = np.concatenate([arcs[0].control_points, arcs[1].control_points[1:]])
+    weights = np.concatenate([arcs[0].weights, arcs[1].weights[1:]])
+    pair = two_state_rod(
+        follows(lambda s: 1.2 * np.sin(s / 40) + s / 70), PlaneCurve(knots, points, 2, weights)
+    )
+    steps = [s for s, continuity in pair.first.profile.breaks if continuity == 0]
+    assert steps == pytest.approx([37.0, 37.0], abs=1e-3)
+    before, after = pair.first.profile(np.array([36.99, 37.01]))
+    assert abs(after / before - 1) > 0.2
+    assert max(rod.residual for rod in pair.states) < 1e-8
 
 
 def test_five_zeros_are_too_many():

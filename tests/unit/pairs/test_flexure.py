@@ -1,6 +1,7 @@
 """Parts with two states: thickness, strain, outline, holder, the push from state to state, and what is refused."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -119,6 +120,14 @@ def test_the_pads_carry_the_holes_and_one_plate_takes_them(clip, stand):
     assert apart == pytest.approx(Pad().length - 2 * Pad().inset)
 
 
+def test_pads_are_10_mm_wide_with_fillets_of_1_mm_by_default(clip):
+    points = clip.outline.points(1e-3)
+    assert np.ptp(points[points[:, 0] < -5, 1]) == pytest.approx(10)
+    segments = clip.outline.segments
+    roots = [after for before, after in pairwise(segments) if isinstance(before, Spline)]
+    assert [root.radius for root in roots] == pytest.approx([1.0, 1.0])
+
+
 @pytest.mark.parametrize("r", [0.4, 1.0, 2.5])
 def test_a_fillet_gives_as_much_as_the_strip_it_replaces(clip, r):
     """The compliance of the thickened root, summed by trapezia, is that of the strip up to the drawn end."""
@@ -143,6 +152,11 @@ def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
     assert clip.travel_back.reached
     assert 0 < way.snap < way.travel[-1]
     assert way.force[0] == pytest.approx(0, abs=1e-6)
+
+
+def test_the_path_of_a_push_begins_at_the_shape_at_rest(low):
+    assert low.travel.travel[0] == 0
+    assert low.travel.force[0] == pytest.approx(0, abs=1e-6)
 
 
 def test_a_pushed_arch_gives_as_half_of_it_led_does():
@@ -201,6 +215,11 @@ def test_shapes_at_rest_are_reported_and_warned_of(low, clip):
     assert low.as_dict()["rest_deviation_mm"] == list(low.rest_deviations)
     assert clip.rest_warnings == ()
     assert max(clip.rest_deviations) < 1e-3 * clip.pair.length
+
+
+def test_shapes_at_rest_are_compared_with_the_length_of_the_part(low):
+    for far, warning in zip(low.rest_deviations, low.rest_warnings, strict=True):
+        assert f"({100 * far / low.pair.length:.2g} % of its length)" in str(warning)
 
 
 def test_a_part_that_stretches_out_of_its_second_state_is_not_bistable():
@@ -431,6 +450,7 @@ def test_the_turn_of_the_second_state_into_the_clamp_is_reported(turn, shift):
     start, other = np.degrees(np.arctan2(40, 100)), turn - np.degrees(np.arctan2(40, 100))
     expected = (start - other + 180) % 360 - 180
     assert f"second state is turned by {expected:.1f} degrees" in rows["Position"]
+    assert f"the drawn curves start at {start:.1f} and {other:.1f} degrees to the x axis" in rows["Position"]
     turned, moved = part.second_moved
     assert turned == pytest.approx(expected, abs=1e-6)
     placed, drawn = part.rods[1].position, second.sample(len(part.rods[1].s)).position
