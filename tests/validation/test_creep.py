@@ -1,6 +1,7 @@
 """Creep: both limits in time of a standard linear solid, marched through time by a solver of its own."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,7 +20,8 @@ from elastica_cad import (
     Weight,
     bend,
 )
-from elastica_cad.mechanics import creep
+from elastica_cad.mechanics import PolynomialLaw, creep
+from elastica_cad.mechanics.rod import CurlingLaw
 
 pytestmark = pytest.mark.core
 
@@ -160,6 +162,40 @@ def test_an_arch_that_falls_through_as_it_creeps_says_so():
     assert found.stability.stable
     assert not found.stays
     assert "snaps into another shape under its load" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("length", "factor", "warned"),
+    [(88.0, 0.3, True), (95.0, 0.3, False), (80.5, 0.01, False)],
+    ids=["after creep", "never", "before creep too"],
+)
+def test_an_arch_that_creeps_close_to_snapping_says_so(length, factor, warned):
+    low = bend(Rod.straight(300.0, samples=201), end=(285.0, 0.0), side=1)
+    found = creep(bend(low, gravity=Gravity(length)), factor)
+    assert found.stays
+    close = f"After creep the strip is close to snapping (stability margin {found.stability.margin:.3g}; at"
+    assert (close in str(found)) is warned
+
+
+ONES = np.ones(41)
+
+
+@pytest.mark.parametrize(
+    ("law", "exact"),
+    [
+        (None, True),
+        (PolynomialLaw(-0.1, curvature_scale=0.05), False),
+        (CurlingLaw(np.ones_like, ONES), True),
+        (CurlingLaw(np.ones_like, ONES, below=PolynomialLaw(-0.1, curvature_scale=0.05)), False),
+    ],
+    ids=["linear", "softening", "curling", "curling and softening"],
+)
+def test_creep_is_exact_for_linear_sheets_only(law, exact):
+    """A section that curls across changes with its bend, but its sheet is linear."""
+    found = creep(replace(Rod.straight(100.0, samples=41), law=law), PHI)
+    assert found.exact is exact
+    words = "exact for a linear homogeneous sheet" if exact else "an approximation by the effective modulus"
+    assert words in str(found)
 
 
 def test_hung_masses_weigh_the_same_on_a_softer_strip():

@@ -85,6 +85,21 @@ def test_a_mass_that_no_width_carries_is_reported_the_least_that_would():
                 assert spec.bend(solve_rod(spec.rod_spec)).width.extremes[0] >= 3.0
 
 
+def test_the_change_of_width_and_thickness_has_the_digits_of_the_message():
+    with pytest.raises(InputError) as refused:
+        solve_rod(
+            StripSpec(ARCH, BIRCH, max_width=WIDTH, gravity=True, loads=[PointMass(PLACE, 300)]).rod_spec
+        )
+    width, thickness = (change.value for change in refused.value.refusal.changes)
+    assert f"Set max_width to {width} mm or more, or use a sheet {thickness} mm thick" in str(refused.value)
+
+
+@pytest.mark.parametrize("least", [3.0, 7.0])
+def test_a_least_width_alone_is_the_width_at_the_narrowest_place(least):
+    strip = make_strip(ARCH, BIRCH, min_width=least, gravity=True, loads=[PointMass(PLACE, 1)])
+    assert least <= strip.width.extremes[0] < least * (1 + 1e-5)
+
+
 @pytest.mark.parametrize("given", [0.0, -1.0, np.nan])
 def test_a_largest_stiffness_is_positive(given):
     weight = Weight(masses=(PointMass(PLACE, 16),), own=False)

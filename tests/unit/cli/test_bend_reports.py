@@ -8,6 +8,8 @@ import pytest
 
 from elastica_cad import (
     Hole,
+    InputError,
+    Laminated,
     Limits,
     PlaneCurve,
     PointMass,
@@ -15,6 +17,7 @@ from elastica_cad import (
     StripSpec,
     Supports,
     Tab,
+    Weight,
     bend,
     bend_strip,
     make_strip,
@@ -232,6 +235,41 @@ def test_leaves_and_a_blank_come_back_as_they_were_made():
         assert second.end_force == pytest.approx(first.end_force, rel=2e-3, abs=1e-3)
         assert second.rods[0].position == pytest.approx(first.rods[0].position, abs=0.02)
         assert second.safety == pytest.approx(first.safety, rel=2e-3)
+
+
+def finished(spec, strip):
+    """Return the finished strip that is read from the report of a strip."""
+    return FinishedStrip.read(json.loads(json.dumps(request_record(spec, strip))), strip.rod.curve)
+
+
+def test_a_report_of_a_strip_under_a_weight_makes_the_same_strip_again():
+    load = Weight(masses=(PointMass(90.0, 5.0),))
+    spec = StripSpec(SINE, "birch-plywood-0.8", max_width=30, gravity=True, loads=load, compensate=False)
+    strip = spec.make()
+    again = finished(spec, strip)
+    assert again.spec.loads.masses == load.masses
+    assert again.make().width.extremes == pytest.approx(strip.width.extremes, rel=1e-6)
+
+
+def test_limits_of_the_thickness_that_a_finished_strip_does_not_meet_are_refused():
+    sheet = Sheet.named("birch-plywood-0.8")
+    spec = StripSpec(SINE, sheet, section=ThicknessLaw(sheet, 0.3, 1.2, width=20))
+    strip = spec.make()
+    least, most = strip.layout.size.extremes
+    same = finished(spec, strip).changed(section=ThicknessLaw(sheet, 0.2, most, width=20)).make()
+    assert same.layout.size.extremes == pytest.approx((least, most), rel=1e-3)
+    narrow = ThicknessLaw(sheet, (least + most) / 2, most, width=20)
+    with pytest.raises(InputError, match=f"a thickness of {least:.4g} mm at .* but the limits allow no less"):
+        finished(spec, strip).changed(section=narrow).make()
+
+
+def test_a_laminate_with_a_weight_is_made_again_of_a_thicker_sheet():
+    sheet = Sheet.named("birch-plywood-0.8")
+    spec = StripSpec(SINE, sheet, style=Laminated(width=30, backing=sheet), gravity=True)
+    strip = spec.make()
+    thicker = finished(spec, strip).changed(sheet=sheet.with_thickness(0.9)).make()
+    assert thicker.width.extremes == strip.width.extremes
+    assert thicker.sheet.thickness == 0.9
 
 
 def test_records_inside_the_tabs_of_a_report_come_back():

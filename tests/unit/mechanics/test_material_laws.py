@@ -56,6 +56,12 @@ test_moment_beyond_reach_is_refused = refusal_test(
 )
 
 
+def test_the_coefficients_of_a_polynomial_law_are_for_a_curvature_of_1_by_default():
+    law = PolynomialLaw(-0.2, 0.1)
+    assert law.effective_curvature(1.0) == pytest.approx(1 - 0.2 + 0.1)
+    assert law.slope(1.0) == pytest.approx(1 - 3 * 0.2 + 5 * 0.1)
+
+
 def test_softening_law_is_injective_up_to_the_crest_of_its_moment():
     """m = kappa - 0.3 kappa^3 (unit curvature): m' = 0 at sqrt(1/0.9)."""
     law = PolynomialLaw(-0.3, curvature_scale=1.0)

@@ -18,6 +18,7 @@ from elastica_cad import (
     stability,
     stability_limit,
 )
+from elastica_cad.mechanics.stability_limits import Course
 
 pytestmark = pytest.mark.core
 
@@ -178,6 +179,23 @@ class TestLimits:
         assert limit.kind is None
         assert limit.before.position[-1] == pytest.approx([0.3, 0.1])
         assert set(np.round(limit.parameters, 9)) >= {0.0, 1.0, 2.0, 3.0}
+
+    @pytest.mark.parametrize(
+        ("t", "step", "reached"),
+        [
+            (0.5, 0.125, 0.625),
+            (0.95, 0.1, 1.0),
+            (0.95, 0.0495, 0.9995),
+            (0.95, 0.05 - 1e-13, 1.0),
+            (1.0, 0.7, 1.7),
+            (2.9, 0.7, 3.0),
+        ],
+    )
+    def test_a_step_along_a_path_ends_at_the_next_corner(self, t, step, reached):
+        """A step that ends beside a corner by rounding ends in the corner."""
+        arch = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0))
+        course = Course.of(arch, [(0.8, 0.0), (0.6, 0.1), (0.3, 0.1)])
+        assert course.clipped(t, step) == pytest.approx(reached, rel=0, abs=1e-15)
 
     def test_a_moment_on_the_free_end_bends_a_cantilever_to_an_arc(self):
         """A single number is the moment on the last end: over a stiffness of 1 that is its curvature."""

@@ -59,6 +59,16 @@ def test_max_width_bounds_the_backing(rod):
     assert strip.width.extremes == pytest.approx((24.0, 24.0))
 
 
+@pytest.mark.parametrize(
+    ("limits", "widths"),
+    [((None, None), (1.0, 24.0)), ((3.0, 9.0), (3.0, 9.0)), ((9.0, 9.0), None), ((30.0, None), None)],
+)
+def test_widths_of_the_backing_that_a_laminate_allows(limits, widths):
+    least, most = limits
+    section = Laminated(width=24.0, backing=THICK).bounded(CARD, min_width=least, max_width=most)
+    assert (section and section.limits) == widths
+
+
 def test_own_weight_through_the_optimal_laminate():
     """The rod comes from the mechanics; the strip rebuilds its backing, weight and rest shape."""
     width = ec.Profile.fit(wavy, ARCH.length)
