@@ -179,6 +179,18 @@ def test_a_drawn_profile_is_approached():
     assert meridian_through(drawn.sample(200).position).deviation < 2.5
 
 
+def test_a_single_point_far_from_the_meridian_of_the_others_is_named():
+    """The search uses every second of these 50 points, but not the point that is moved."""
+    drawn = meridian_through([(60, 0), (80, 50), (70, 80), (55, 110), (50, 150)]).curve.sample(50).position
+    size = np.hypot(*np.ptp(drawn, axis=0))
+    moved = drawn.copy()
+    moved[25, 0] -= 0.2 * size
+    assert 0.15 * size < meridian_through(moved).deviation < 0.2 * size
+    moved[25, 0] -= 0.1 * size
+    with pytest.raises(NotConvergedError, match=r"at least [\d.]+ mm from point number 26\. Move this point"):
+        meridian_through(moved)
+
+
 def test_a_dome_through_points_closes_at_the_pole_or_at_a_ring():
     points = [(100, 0), (105, 30), (70, 75), (0, 95)]
     dome = meridian_through(points)

@@ -408,6 +408,13 @@ def test_a_section_runs_up_and_a_level_one_to_the_right(start, end, way):
     assert sorted(map(tuple, run)) == sorted(map(tuple, drawn))
 
 
+@pytest.mark.parametrize("middle", [(0.0, 30.0), (5.0, -10.0)])
+def test_the_ends_of_a_line_and_not_its_middle_determine_its_direction(middle):
+    points = np.array([(0.0, 0.0), middle, (10.0, 10.0)])
+    assert tidy_points(points, 1e-6) == pytest.approx(points)
+    assert tidy_points(points[::-1], 1e-6) == pytest.approx(points)
+
+
 def drum(radius=50.0, height=120.0, sides=24):
     """A cylinder with lids, as coarse as STL files are: its sections have vertices at the corners alone."""
     u, r = np.meshgrid(np.linspace(0, 2 * np.pi, sides + 1), [0, radius, radius, 0])

@@ -166,6 +166,13 @@ def test_an_arch_is_seen_from_where_it_turns_anticlockwise(way, high):
     assert np.array(ends)[::way] == pytest.approx(np.array([(0, 0), (60, 0)]) @ TILTED, abs=1e-9)
 
 
+@pytest.mark.parametrize("high", [0.3, -0.3])
+def test_an_arch_of_half_a_millimetre_is_seen_from_the_same_side(high):
+    curve, frame = placed_curve([drawn([(0, 0), (0.1, high), (0.5, high), (0.6, 0)])])
+    assert curve.sample(101).angle[-1] > curve.sample(101).angle[0]
+    assert frame.y_axis == pytest.approx(TILTED[1])
+
+
 @pytest.mark.parametrize("first", [1, -1])
 def test_a_wave_is_seen_from_where_its_first_bend_turns_anticlockwise(first):
     points = [(0, 0), (20, 30 * first), (40, -30 * first), (60, 0)]

@@ -60,6 +60,13 @@ def test_joined_and_turned_curves_are_reported(dxf):
     assert report.distance < 1e-3
 
 
+def test_pieces_of_one_entity_are_not_reported_as_joined(dxf):
+    """A polyline of a line, a half circle and a line is a single entity of the drawing."""
+    points = [(0, 0, 0), (60, 0, 1), (60, 40, 0), (0, 40, 0)]
+    report = read_drawing(dxf(lambda space: space.add_lwpolyline(points, format="xyb"))).report()
+    assert "joined" not in report.done
+
+
 @pytest.mark.parametrize(
     "shape", ['circle cx="0" cy="0" r="10.3"', 'ellipse cx="150" cy="120" rx="120" ry="90"']
 )
