@@ -307,6 +307,16 @@ def test_bases_of_one_sheet_are_laid_on_the_same(read):
     ]
 
 
+@pytest.mark.parametrize(
+    ("width", "apart"),
+    [("max_width = 30", 50), ("style = { kind = 'perforated', width = 24 }", 44), ("min_width = 5", 20)],
+)
+def test_copies_of_a_part_without_places_are_20_mm_apart(read, width, apart):
+    copies = f"[[strips]]\ncount = 3\nlabel = 'A'\n{ARC}\n"
+    entries = read(f'schema = 1\nsheet = "card-200gsm"\n{width}\n{copies}').entries
+    assert [entry.frame.origin[1] for entry in entries] == pytest.approx([0, -apart, -2 * apart])
+
+
 def test_copies_with_different_labels_share_their_cuts(read):
     arches = f"[[strips]]\ncount = 2\nlabel = 'A{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
     first, second = read(HEAD + arches).model().strips

@@ -142,6 +142,15 @@ def test_slots_are_where_the_bent_tab_is(lean, gap, rings, width):
     assert center[-1, 1] < -2 * sheet.thickness - gap
 
 
+@pytest.mark.parametrize(("gap", "length"), [(None, 8.0), (6.0, (2 * 1.5 + 6) / np.sin(np.radians(40)) + 2)])
+def test_default_tabs_are_8_mm_long_or_extend_2_mm_beyond_the_second_ring(gap, length):
+    """The tabs of this sphere lean by 40 degrees to the rings, which are 1.5 mm thick."""
+    turns = np.radians(np.linspace(-50, 50, 5))
+    points = 120 * np.column_stack([np.cos(turns), np.sin(turns) + np.sin(turns[-1])])
+    ball = revolve(ec.meridian_through(points), 12, sheet="polypropylene-0.8", rings="hdf-1.5", gap=gap)
+    assert [tab.length for tab in ball.strips[0].ends] == pytest.approx([length] * 2, rel=1e-5)
+
+
 @pytest.mark.parametrize(
     ("rings", "gap", "length", "width"),
     [

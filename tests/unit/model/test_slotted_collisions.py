@@ -1,12 +1,15 @@
-"""Strips that are slotted together and collide beside their slots are told: by points of one body in the other."""
+"""Strips that are slotted together and collide beside their slots are told: by points of one body in the other.
+
+A strip that touches itself is reported with both places.
+"""
 
 import numpy as np
 import pytest
 
-from elastica_cad import InputError
+from elastica_cad import InputError, PlaneCurve, make_strip
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.kit.kit_contents import kit_contents
-from elastica_cad.model.collisions import missing_slots
+from elastica_cad.model.collisions import missing_slots, self_contact
 
 COLLIDING = (12, 32, 44, 62, 71, 76, 96, 98, 118)
 """Edges in faces, ends in faces, faces in faces, edges across edges."""
@@ -70,3 +73,15 @@ def test_faces_that_bend_away_from_each_other_ask_for_no_width(slotted_pairs):
     assert all(np.isfinite(slot.widths).all() for joint in model.joints for slot in joint.slots)
     with pytest.raises(InputError, match="move them apart"):
         slotted_pairs.pair(231102)
+
+
+def test_a_strip_touches_itself_where_its_curve_crosses():
+    """A loop that is the same when mirrored: both places have the same distance from its ends."""
+    loop = PlaneCurve.spline(
+        [(0, 0), (140, 40), (150, 150), (60, 180), (-30, 150), (-20, 40), (120, 0)], degree=4
+    )
+    strip = make_strip(loop, "card-200gsm", max_width=20)
+    first, second = self_contact(strip)
+    x, _ = strip.rod.curve.at(np.array([first, second])).position.T
+    assert x == pytest.approx([60.0, 60.0], abs=0.05)
+    assert first + second == pytest.approx(strip.rod.length, abs=0.1)

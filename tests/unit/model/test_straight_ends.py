@@ -11,7 +11,7 @@ from elastica_cad.cli import main
 from elastica_cad.design.kit_spec import HolderSpec, KitSpec
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
-from elastica_cad.model.assembly import list_assembly_steps
+from elastica_cad.model.assembly import assembly_parts, list_assembly_steps
 from elastica_cad.strip.holding_template import ends_message, held_ends, holding_template
 
 BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
@@ -109,6 +109,24 @@ def test_an_end_that_no_part_of_a_model_holds_is_reported_and_has_no_figure():
     assert kit.held == {}
     assert any("nothing holds its end (2)" in note for note in kit.notes)
     assert not any("nothing holds" in note for note in kit_contents(model, KitSpec(), effects=True).notes)
+
+
+@pytest.mark.parametrize("start", [0, -400])
+def test_the_side_to_which_an_end_leans_does_not_depend_on_the_position_of_the_strip(start):
+    curve = ec.PlaneCurve.spline([(start, 0), (start, 80), (start + 120, 120), (start + 200, 50)], degree=3)
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=30)
+    (step,) = list_assembly_steps(ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))]), [])
+    first, last = step.ends
+    assert first.endswith("degrees to the left (upward)")
+    assert last.endswith("degrees to the right (downward)")
+
+
+def test_copies_of_a_strip_share_their_solids():
+    strip = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.1, 3.0), "birch-plywood-0.8", max_width=20)
+    places = [ec.Placed(strip, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 30)]
+    first, second = assembly_parts(places)
+    assert first.solids is second.solids
+    assert (first.name, second.name) == ("strip 1", "strip 2")
 
 
 def test_the_command_check_draws_and_judges_what_is_bent(arch, tmp_path, capsys):

@@ -347,9 +347,10 @@ def test_what_a_slot_leaves_of_a_hole_is_not_cut_where_the_radius_does_not_fit(r
     assert all(opened(hole, 0.5).is_empty for hole in lost)
 
 
-def test_a_blunt_end_narrower_than_the_radius_is_rounded_as_its_tip_would_be():
+@pytest.mark.parametrize("start", [0.0, -300.0])
+def test_a_blunt_end_narrower_than_the_radius_is_rounded_as_its_tip_would_be(start):
     tip = [(0.0, -0.05), (10.0, -1.05), (20.0, -0.05), (20.0, 0.05), (10.0, 1.05), (0.0, 0.05)]
-    loop = ec.Path.polyline(tip, closed=True)
+    loop = ec.Path.polyline([(start + x, y) for x, y in tip], closed=True)
     found = shapely.Polygon(round_corners(loop, 0.5).points(1e-5))
     assert found.symmetric_difference(opened(loop, 0.5)).area < 1e-4
     assert found.is_valid

@@ -44,6 +44,21 @@ def test_sides_are_splines_where_the_bent_strip_is_one():
             assert np.abs(found - exact[:, level]).max() < 1e-11
 
 
+@pytest.mark.parametrize("lead", [0.5, 40.0])
+def test_a_bent_strip_has_faces_on_both_sides_of_a_jump_of_curvature(lead):
+    """Two arcs of radius 80 and 50 mm. A single spline across their joint would need very many spans."""
+    turn = lead / 80
+    first = PlaneCurve.arc((0, 0), 80, 0, turn)
+    second = PlaneCurve.arc((30 * np.cos(turn), 30 * np.sin(turn)), 50, turn, turn + 1.2)
+    knots = np.concatenate([first.knots[:-1], second.knots[3:] + first.knots[-1]])
+    points = np.concatenate([first.control_points, second.control_points[1:]])
+    curve = PlaneCurve(knots, points, 2, np.concatenate([first.weights, second.weights[1:]]))
+    before, after = bent_maps(optimal_rod(curve), PLACE, 0.4)
+    assert before.knots[[0, -1]] == pytest.approx([0.0, lead])
+    assert after.knots[[0, -1]] == pytest.approx([lead, lead + 60])
+    assert max(before.knots.size, after.knots.size) < 60
+
+
 def limits(segment):
     return (0.0, segment.length) if isinstance(segment, Line) else segment.curve.domain
 
