@@ -346,7 +346,8 @@ class Change:
     ----------
     field : str
         Name of the field, as in a design file: "max_width", "smooth". "nearest" lets the curve change, within
-        the limits of sheet and widths, or forbids it. "elements" removes rails, pins, ties and loads. "join"
+        the limits of sheet and widths, or forbids it. "nearest_curve" draws the nearest curve instead and adds
+        the fields of its value, such as rails. "elements" removes rails, pins, ties and loads. "join"
         closes gaps between drawn edges up to a width.
     value : object
         Suggested value. Lengths are in mm.

@@ -161,6 +161,8 @@ SUPPORTS_IN_DESIGN = {
 
 def _spelled(path: str) -> str:
     """Return the option that sets a field. Without such an option, name a key of `elastica strip`."""
+    if path == "rod.curve":
+        return "the file NAME.json of `elastica strip`"
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
     held = f"--hold{typed[1:]}" if path.startswith("supports.") else typed
     for option in (held, typed):

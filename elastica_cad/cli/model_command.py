@@ -44,7 +44,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
-from elastica_cad.strip.summary import accuracy_row, hold_row, size_row, stability_row
+from elastica_cad.strip.summary import NEAREST_SUPPORT, accuracy_row, hold_row, size_row, stability_row
 
 
 @click.command()
@@ -220,6 +220,8 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         worst = max(held, key=lambda name: held[name].expected)
         row = accuracy_row(held[worst])
         say_rows(replace(row, text=f"{worst} deviates most: {row.text}"))
+        if row.severity == "warning" and worst in contents.deviations:
+            say_rows(NEAREST_SUPPORT)
     _print_notes(contents, kit, output)
     details = [
         f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"

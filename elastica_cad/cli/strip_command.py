@@ -19,11 +19,20 @@ from elastica_cad.cli.requested_curves import (
     requested_curves,
 )
 from elastica_cad.cli.settings import FileKeys
-from elastica_cad.cli.strip_options import grouped, spec_from_options, strip_options, table_of, typed_change
+from elastica_cad.cli.strip_options import (
+    grouped,
+    nearest_curve_line,
+    spec_from_options,
+    strip_options,
+    table_of,
+    typed_change,
+    typed_in_two_steps,
+)
 from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
     listing_note,
     suggest_later,
+    typed_length,
 )
 from elastica_cad.cli.voice import answer, cut_text, exit_code, say, say_rows, say_step, voice, warn, wrote
 from elastica_cad.defaults import NOT_REALIZABLE
@@ -34,6 +43,7 @@ from elastica_cad.design.strip_table import PLANE
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import seen_from, toml_text
 from elastica_cad.errors import (
+    Change,
     ElasticaError,
     InputError,
     NotConvergedError,
@@ -42,6 +52,7 @@ from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.write_files import check_folder, text_file, write_files
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
+from elastica_cad.mechanics.elements import Pin
 from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.plot.drawing_process import DrawingProcess
@@ -51,7 +62,8 @@ from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.lettering import engraved_names
 from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import not_computed_row, size_row, strip_rows
+from elastica_cad.strip.suggestions import try_change
+from elastica_cad.strip.summary import NEAREST_SUPPORT, not_computed_row, size_row, strip_rows
 
 MOST_NAMES = 3
 """Largest number of cutting files whose names are printed, if the command makes several strips."""
@@ -120,6 +132,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     engraved = engraved_names(requested.label for requested in curves)
     for requested in curves:
         try:
+            if len(curves) == 1:
+                suggest_later(
+                    partial(_nearest_request, requested, table),
+                    partial(typed_in_two_steps, requested.name),
+                    ["nearest_curve", "max_width"],
+                )
             spec = spec_from_options(requested.curve, requested.label, table, read_once)
             if spec.engrave is None and spec.label == requested.label != engraved[spec.label]:
                 spec = spec.changed(engrave=engraved[spec.label])
@@ -233,6 +251,16 @@ def _solve(requested: RequestedCurve, spec: StripSpec, *, unmarked: bool) -> Str
     return StripResult(spec, rod, strip, requested.name, requested.drawn.joints)
 
 
+def _nearest_request(
+    requested: RequestedCurve, table: Mapping[str, Any], problem: ElasticaError
+) -> StripSpec | None:
+    """Return the request without its rails, pins, ties and loads if these exclude a nearest curve."""
+    if "nearest_curve" not in {change.field for change in problem.refusal.changes}:
+        return None
+    without = {key: value for key, value in table.items() if key not in ("between", "loads")}
+    return spec_from_options(requested.curve, requested.label, without)
+
+
 def _refused_request(
     spec: StripSpec, requested: RequestedCurve, chosen: Chosen, problem: ElasticaError
 ) -> StripSpec | None:
@@ -275,6 +303,19 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
                     "use --compensate to correct the widths: the strip is then accurate to about "
                     f"{about(expected)}",
                 )
+
+
+def _support_row(result: StripResult) -> Row:
+    """Return the row with the command that supports a strip of a nearest curve by a pin, if a pin works."""
+    curve = result.strip.rod.curve
+    for fraction in (1 / 2, 1 / 3, 2 / 3):
+        place = round(fraction * curve.length)
+        fields = {"curve": curve, "between": (Pin(place),)}
+        if suggestion := try_change(result.spec, Change("nearest_curve", fields), widths=2):
+            line = nearest_curve_line(result.name, suggestion, "--pin", typed_length(place))
+            text = f"to support this strip between its ends ({suggestion.effect}): `{line}`, or elsewhere"
+            return Row("Change", text)
+    return NEAREST_SUPPORT
 
 
 def _stable_rows(result: StripResult, requested: RequestedCurve) -> Iterator[Row]:
@@ -334,7 +375,11 @@ def _report(
         if joint
     ]
     ends = [Row("Ends", text) for text in (pre_bend_message(strip), tabs, *joined) if text]
-    other = [row for row in (*_rows(result), *_stable_rows(result, requested)) if row.text != tabs]
+    other = [
+        _support_row(result) if row is NEAREST_SUPPORT else row
+        for row in (*_rows(result), *_stable_rows(result, requested))
+        if row.text != tabs
+    ]
     say_rows(*in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]))
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
     if kerf_note := cutting.kerf_note([strip.sheet]):

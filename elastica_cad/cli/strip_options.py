@@ -103,9 +103,39 @@ def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = 
     if suggestion.change.field == "size":
         # the key `length` includes the straight ends of the curve
         words = "--set", f"length={rounded_up(suggestion.requests[0].curve.length, 4):g}"
-    if suggestion.width is not None and "--max-width" not in options:
-        options = *options, *_arguments_of(suggestion.width)
+    if "--max-width" not in options:
+        options = *options, *_width_of(suggestion)
     return f"`{typed_line(*options, *words, instead=instead)}`" if words else suggestion.title
+
+
+ACTING = (*map(option_name, (*ELEMENTS, *LOADS, *CUTS)), "between", "loads")
+"""Options and keys of rails, pins, ties and loads."""
+
+CHANGING = (
+    "--nearest", "--stable", "--ratio", "--margin", "--keep-strain", "--keep-tangents", "--keep-ends",
+    "--keep-length", "--curve", "--all", "--layer", "--unit", "--save-design", "limits", "keep", "curve",
+)  # fmt: skip
+"""Options and keys that select or change a drawn curve, and that save its design."""
+
+
+def _width_of(suggestion: "Suggestion") -> tuple[str, ...]:
+    return () if suggestion.width is None else _arguments_of(suggestion.width)
+
+
+def nearest_curve_line(name: str, suggestion: "Suggestion", *words: str) -> str:
+    """Return the command that makes a strip of the curve of the nearest strip NAME, with added options.
+
+    The nearest strip is made by the running command. The files are written into a folder below its folder.
+    """
+    output: Path = click.get_current_context().params["output"]
+    words = *words, *_width_of(suggestion), "-o", str(output / "supported")
+    return typed_line(*words, without=CHANGING, curve=output / f"{name}.json")
+
+
+def typed_in_two_steps(name: str, suggestion: "Suggestion") -> str:
+    """Return the commands that make the strip NAME of the nearest curve, and that then support it."""
+    first = typed_line(*_width_of(suggestion), without=(*ACTING, "--save-design"))
+    return f"`{first}`, and then `{nearest_curve_line(name, suggestion)}`"
 
 
 def _names_of_common_keys() -> dict[str, str]:

@@ -53,10 +53,13 @@ MOST_REFUSALS = 7
 """Largest number of refused curves of a file that have their messages printed."""
 
 
-def typed_line(*added: str, instead: str | None = None) -> str:
+def typed_line(
+    *added: str, instead: str | None = None, without: Collection[str] = (), curve: Path | None = None
+) -> str:
     """Return the running command as typed, with added options, which replace earlier values.
 
     `instead` is another command, which gets the same options except those for output and those that it lacks.
+    `without` has options and tables of `--set` that are left out. `curve` is another file of the curve.
     """
     context = click.get_current_context()
     words: Sequence[str] = context.meta.get(TYPED, ())
@@ -67,27 +70,35 @@ def typed_line(*added: str, instead: str | None = None) -> str:
             for command in (context.command, cast(click.Group, context.find_root().command).commands[instead])
         )
         words = _without_values(words, here - there)
-    return f"{name_program()} {quote_words([*_without_values(words, added), *added])}"
+    if curve is not None:
+        words = [str(curve) if Path(word) == context.params["curve"] else word for word in words]
+    return f"{name_program()} {quote_words([*_without_values(words, added, without), *added])}"
 
 
-def _without_values(words: Sequence[str], added: Collection[str]) -> list[str]:
-    """Return the words without the values of single options, and of keys of `--set`, that are added anew."""
-    replaced = set[str]()
+def _without_values(words: Sequence[str], added: Collection[str], without: Collection[str] = ()) -> list[str]:
+    """Return the words without the values of single options, and of keys of `--set`, that are added anew.
+
+    All options in `without`, and all keys of `--set` in its tables, are left out too.
+    """
+    replaced = dict[str, int]()
     for option in click.get_current_context().command.params:
-        single = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
-        if single and option.nargs == 1 and set(option.opts) & set(added):
-            replaced |= set(option.opts)
+        if isinstance(option, click.Option):
+            single = option.nargs == 1 and not (option.multiple or option.is_flag)
+            if set(option.opts) & {*without, *(added if single else ())}:
+                replaced |= dict.fromkeys(option.opts, 0 if option.is_flag else option.nargs)
     keys = {setting.partition("=")[0] for name, setting in pairwise(added) if name == "--set"}
     remaining, following = list[str](), iter(words)
     for word in following:
         name, equals_sign, _ = word.partition("=")
         if word == "--set":
             setting = next(following, "")
-            remaining += [] if setting.partition("=")[0] in keys else [word, setting]
+            key = setting.partition("=")[0]
+            remaining += [] if key in keys or key.partition(".")[0] in without else [word, setting]
         elif name not in replaced:
             remaining.append(word)
         elif not equals_sign:
-            next(following, None)
+            for _ in range(replaced[name]):
+                next(following, None)
     return remaining
 
 

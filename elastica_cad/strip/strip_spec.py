@@ -608,11 +608,23 @@ class StripSpec(EqualByValue):
 
     def _require_alone(self) -> None:
         """Raise InputError for fields that cannot be combined with rails, pins, ties and point forces."""
+        if self.section is None and self.may_change:
+            name = "limits" if self.limits is not None else "keep"
+            raise InputError(
+                "Rails, pins, ties and point forces cannot be combined with a nearest curve. First make the strip "
+                "without them. Then take its curve ({curve}) as the drawn curve, leave out {field}, and add them.",
+                curve=FieldName("rod.curve"),
+                field=FieldName(name),
+                where={"field": (name, "between", "loads")},
+                changes=(
+                    Change("nearest_curve", {"between": self.between, "loads": self.loads}),
+                    NEAREST_OFF,
+                    NO_ELEMENTS,
+                ),
+            )
         curve = self._curve_from_seam
-        nearest = "a nearest curve"
         conflicts = {
             "a section": ("section", self.section is not None),
-            nearest: ("limits" if self.limits is not None else "keep", self.may_change),
             "a style other than plain": ("style", not isinstance(self.style, Plain)),
             "creep": ("creep", bool(self.creep)),
             "compensation of the widths": ("compensate", bool(self.compensate)),
@@ -626,7 +638,7 @@ class StripSpec(EqualByValue):
                     what=note(what),
                     field=FieldName(name),
                     where={"field": (name, "between", "loads")},
-                    changes=(NEAREST_OFF, NO_ELEMENTS) if what == nearest else (NO_ELEMENTS,),
+                    changes=(NO_ELEMENTS,),
                 )
 
     @property

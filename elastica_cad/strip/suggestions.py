@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import Change, ElasticaError, StrainError, rounded_up
+from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
-from elastica_cad.form_finding.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
 from elastica_cad.form_finding.sqp import at_most
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
@@ -166,7 +167,7 @@ class Suggestion:
         """New value of the changed field, or the added rail, pin or tie, as it is written in a design file."""
         value = self.change.value
         if not isinstance(value, Rail | Pin | Tie):
-            return value
+            return True if isinstance(value, dict) else value
         given = {name: item for name, item in asdict(value).items() if item is not None}
         return {"kind": NOUNS[type(value)], **given}
 
@@ -195,6 +196,8 @@ def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
             return note("Take the nearest curve that a strip can take.")
         case "nearest", _:
             return note("Switch the nearest curve off.")
+        case "nearest_curve", _:
+            return note("Take the nearest curve first, and then support the strip on it.")
         case "elements", _:
             return note("Remove the rails, pins, ties and loads.")
         case "split_corners", _:
@@ -387,8 +390,12 @@ def _requests(spec: StripSpec, change: Change, sheet_size: tuple[float, float] |
             drawn = spec.curve.degree > 1  # a polyline is not divided at its corners
             apart = drawn and 1 < len(pieces) <= 8 and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
-        case "nearest", _ if len(spec.curve.tangent_breaks) > MOST_CORNERS:
+        case "nearest" | "nearest_curve", _ if len(spec.curve.tangent_breaks) > MOST_CORNERS:
             return []
+        case "nearest_curve", fields:
+            if "curve" not in fields:
+                fields = fields | {"curve": accepted_rod(solve_rod(spec.rod_spec)).curve}
+            return [spec.changed(limits=None, keep=None, **fields)]
     changed = spec.with_change(change)
     return [] if changed is None else [changed]
 
@@ -431,9 +438,15 @@ def _tested(
         )
         if change.field == "point":
             away.append(largest_move(spec.curve, request.curve))
+        elif change.field == "nearest_curve":
+            target = TargetCurve.of(spec.curve)
+            nodes = (strip.rod.position - target.origin) / target.size
+            away.append(measure_deviation(target, nodes) * target.size)
         # a wider strip bends as a plate
         wide = strip.width.extremes[1] > 0.5 * strip.rod.length
-        if not (wide or strip.strain_verdict.allowed):
+        # the search for the nearest curve limits the strain only at its nodes
+        near = change.field == "nearest_curve" and strip.strain_verdict.used <= 1.01
+        if not (wide or near or strip.strain_verdict.allowed):
             raise overstrained(strip)  # `try_change` tries the width that the error names
         if wide or not stability(strip.rod).stable or strip.unloading_warnings:
             return None

@@ -23,6 +23,7 @@ from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import (
     Degrees,
+    FieldName,
     Force,
     Length,
     Listed,
@@ -91,7 +92,7 @@ def strip_rows(
         *cut_rows(strip),
         *between_rows(strip.rod, strip.bending_stiffness),
         *_unloaded_rows(strip),
-        *([Row(note("Accuracy"), LATER)] if quick else _slow_rows(strip)),
+        *([Row(note("Accuracy"), LATER)] if quick else _slow_rows(strip, near)),
     ]
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
     rows += [
@@ -102,11 +103,13 @@ def strip_rows(
     return in_order(rows)
 
 
-def _slow_rows(strip: Strip) -> Iterator[Row]:
+def _slow_rows(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
     """Yield the rows that take long to compute: mounting, accuracy and creep."""
     yield from _mounting_rows(strip)
     with suppress(ElasticaError):
         yield not_computed_row(strip) or accuracy_row(strip.held())
+    if near is not None and needs_support(strip):
+        yield NEAREST_SUPPORT
     with suppress(ElasticaError):
         if strip.crept is not None:
             yield Row(note("Creep"), str(strip.crept))
@@ -481,11 +484,33 @@ def not_computed_row(strip: Strip) -> Row | None:
     return None
 
 
+NEAREST_SUPPORT = Row(
+    note("Change"),
+    note(
+        "To support this strip between its ends, take its curve ({curve}) as the drawn curve, leave out {limits}, "
+        "and add {between}",
+        curve=FieldName("rod.curve"), limits=FieldName("limits"), between=FieldName("between"),
+    ),
+)  # fmt: skip
+"""Row on supports of a strip of a nearest curve, with which they cannot be combined."""
+
+
+def needs_support(strip: Strip) -> bool:
+    """Return True if a row advises to support the strip between its ends."""
+    with suppress(ElasticaError):
+        return bool(clamp_warning(strip)) or not (not_computed_row(strip) or not _is_far_off(strip.held()))
+    return False
+
+
+def _is_far_off(held: HeldShape) -> bool:
+    return held.expected > 0.05 * held.rod.length
+
+
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with its causes in the details."""
     share = held.expected / held.rod.length
     # the user is warned before cutting
-    far_off = share > 0.05
+    far_off = _is_far_off(held)
     text = note(
         "about {far} from the design, {percent:.0f} % of its length. Largest contribution: {largest}. Reduce it, "
         "support the strip between its ends, or draw another curve" if far_off else

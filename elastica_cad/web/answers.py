@@ -50,7 +50,7 @@ from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends, Plain
-from elastica_cad.strip.suggestions import Suggestion, instruction, suggest
+from elastica_cad.strip.suggestions import Suggestion, instruction, suggest, try_change
 from elastica_cad.strip.summary import stability_row, strain_rows, strip_rows
 from elastica_cad.strip.travel import bend_strip
 from elastica_cad.translations import Language
@@ -493,6 +493,8 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
     """Yield changes that each remove one of two conflicting settings."""
     design = request["design"]
     for change in changes:
+        if change.field == "nearest_curve":
+            yield from _support_of_nearest(request, change)
         removed = REMOVED.get(change.field, ())
         rest, kept = (
             {key: value for key, value in table.items() if key not in removed}
@@ -509,6 +511,23 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
             deviation = rod.deviation if isinstance(rod, NearestRod) else 0.0
             effect = Suggestion(change, (spec,), deviation, strip.strain_verdict.percent, (strip,)).effect
         yield {"text": instruction(change), "effect": effect, "removed": list(removed)}
+
+
+def _support_of_nearest(request: Mapping[str, Any], change: Change) -> Iterator[Record]:
+    """Yield the change that draws the nearest curve and keeps the rails, pins, ties and loads, if it works."""
+    design, index = request["design"], request.get("strip", 0)
+    strip = design["strips"][index]
+    without = {key: value for key, value in strip.items() if key not in REMOVED["elements"]}
+    limited = {key: value for key, value in design.items() if key not in REMOVED["elements"]}
+    spec = requested_spec(limited | {"strips": [without]})
+    if suggestion := try_change(spec, change):
+        (drawn,) = suggestion.requests
+        yield {
+            "text": suggestion.title,
+            "effect": suggestion.effect,
+            "strips": [strip | {"curve": curve_table(drawn.curve)}],
+            "removed": list(REMOVED["nearest"]),
+        }
 
 
 def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:

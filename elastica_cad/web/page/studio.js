@@ -441,7 +441,7 @@ class Studio {
     this.offers.replaceChildren(...answer.cures.map(({ text, effect, strips, removed }) => {
       const change = (one) => {
         if (strips) one.strips.splice(strip, 1, ...strips);
-        else for (const key of removed) for (const table of [one, one.strips[strip]]) delete table[key];
+        for (const key of removed ?? []) for (const table of [one, one.strips[strip]]) delete table[key];
       }, changed = structuredClone(design);
       change(changed);
       const [show, hide] = [() => this.preview(changed), () => this.preview(null)];

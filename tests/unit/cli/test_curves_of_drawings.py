@@ -3,11 +3,14 @@
 import json
 import re
 import tomllib
+from pathlib import Path
 
 import ezdxf
 import numpy as np
 import pytest
 
+import elastica_cad as ec
+from elastica_cad import write_curves
 from tests.command_line import run
 
 pytest.importorskip("cssselect2")
@@ -177,6 +180,39 @@ def test_one_of_several_curves_is_made_stable(tmp_path):
     (change,) = re.findall(r"^Change +use (.*) for the nearest stable curve$", done.stdout, re.M)
     again = run("strip", tmp_path / "two.csv", *change.split(), *options, "-o", tmp_path / "again")
     assert "unstable" not in again.output
+
+
+def test_the_nearest_curve_is_supported_in_two_steps(tmp_path, monkeypatch):
+    """Both printed commands make the strip, and so does a design with the written curve."""
+    monkeypatch.chdir(tmp_path)
+    x = np.linspace(0, 2 * np.pi, 60)
+    np.savetxt("wave.csv", np.column_stack([40 * x, 10 * np.sin(x)]), delimiter=",")
+    options = ("--sheet", "card-200gsm", "--max-width", 10, "--no-pictures", "--no-step", "-o", "out")
+    refused = run("strip", "wave.csv", *options, "--stable", "--rail", 120, code=2).output
+    assert "cannot be combined with a nearest curve" in refused
+    first, second = (words.partition(" strip ")[2] for words in re.findall("`(.*? strip .*?)`", refused)[-2:])
+    assert "stable: " in run("strip", *first.split()).stdout
+    assert "the rail 120 mm from the start" in run("strip", *second.split()).stdout
+    design, limits = Path("wave.toml"), "limits.margin = 5\n"
+    text = f'schema = 1\nsheet = "card-200gsm"\nmax_width = 10\n{limits}[[strips]]\ncurve = "wave.csv"\n'
+    design.write_text(f'{text}between = [{{ kind = "rail", at = 120 }}]\n')
+    quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
+    assert "its curve (the file NAME.json of `elastica strip`)" in run("model", design, code=2).output
+    design.write_text(design.read_text().replace("wave.csv", "out/wave.json").replace(limits, ""))
+    assert "1 strip" in run("model", design, *quick, "-o", "kit").stdout
+
+
+@pytest.mark.campaign
+def test_the_row_on_support_of_a_nearest_curve_is_a_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    heights = [11, -29, 41, 1, 1, 30, -42]
+    curve = ec.PlaneCurve.spline(np.column_stack([np.linspace(0, 300, 7), heights]), degree=5)
+    write_curves([curve], Path("wave.json"))
+    options = ("--sheet", "card-200gsm", "--max-width", 30, "--no-pictures", "--no-step", "-o", "out")
+    made = run("strip", "wave.json", *options, "--stable").output
+    assert "Support the strip between its ends" in made
+    (command,) = re.findall("to support this strip between its ends .*`.*? strip (.*?)`", made)
+    assert "Between     pin" in run("strip", *command.split()).stdout
 
 
 @pytest.mark.campaign

@@ -104,8 +104,8 @@ def test_a_pin_that_pushes_across_the_strip_can_be_a_ring():
 @pytest.mark.parametrize(
     ("options", "what"),
     [
-        ({"limits": ec.Limits()}, "a nearest curve. Leave out limits"),
-        ({"keep": ec.Keep()}, "a nearest curve. Leave out keep"),
+        ({"limits": ec.Limits()}, r"a nearest curve.* \(rod.curve\) as the drawn curve, leave out limits"),
+        ({"keep": ec.Keep()}, r"a nearest curve.* \(rod.curve\) as the drawn curve, leave out keep"),
         ({"style": ec.Perforated(30), "max_width": None}, "a style other than plain. Leave out style"),
         ({"style": ec.Laminated(30, "card-200gsm"), "max_width": None}, "a style other than plain"),
         (

@@ -66,7 +66,9 @@ class Words(Translated):
         self.unit, self.size, self.point = unit.name, unit.size, point
 
     def field(self, name: str) -> str:
-        """Return the name of the property of a field."""
+        """Return the name of the property of a field, or of the command that draws the curve of a nearest rod."""
+        if name == "rod.curve":
+            return translate("Elastica_Nearest", "Nearest curve to sketch")
         return name_of(name)
 
     def format_field(self, value: Any, spec: str) -> str:
