@@ -107,9 +107,10 @@ def _slow_rows(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
     """Yield the rows that take long to compute: mounting, accuracy and creep."""
     yield from _mounting_rows(strip)
     with suppress(ElasticaError):
-        yield not_computed_row(strip) or accuracy_row(strip.held())
-    if near is not None and needs_support(strip):
-        yield NEAREST_SUPPORT
+        accuracy = not_computed_row(strip) or accuracy_row(strip.held())
+        yield accuracy
+        if near is not None and (accuracy.severity == "warning" or clamp_warning(strip)):
+            yield NEAREST_SUPPORT
     with suppress(ElasticaError):
         if strip.crept is not None:
             yield Row(note("Creep"), str(strip.crept))
@@ -495,22 +496,11 @@ NEAREST_SUPPORT = Row(
 """Row on supports of a strip of a nearest curve, with which they cannot be combined."""
 
 
-def needs_support(strip: Strip) -> bool:
-    """Return True if a row advises to support the strip between its ends."""
-    with suppress(ElasticaError):
-        return bool(clamp_warning(strip)) or not (not_computed_row(strip) or not _is_far_off(strip.held()))
-    return False
-
-
-def _is_far_off(held: HeldShape) -> bool:
-    return held.expected > 0.05 * held.rod.length
-
-
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with its causes in the details."""
     share = held.expected / held.rod.length
     # the user is warned before cutting
-    far_off = _is_far_off(held)
+    far_off = share > 0.05
     text = note(
         "about {far} from the design, {percent:.0f} % of its length. Largest contribution: {largest}. Reduce it, "
         "support the strip between its ends, or draw another curve" if far_off else
