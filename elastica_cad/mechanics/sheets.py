@@ -20,8 +20,8 @@ from elastica_cad._notebook import html_table
 from elastica_cad._text import plain_name
 from elastica_cad._toml import parse_toml, toml_string
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path, with_article
-from elastica_cad.declared import Field, Option, declared
+from elastica_cad._values import is_number, is_one_of, require_number, require_path, require_record
+from elastica_cad.declared import Field, Option, declared, require_declared
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
@@ -40,12 +40,6 @@ UNITS = {
     "kerf": "mm",
 }
 """Units of the properties that every sheet has."""
-
-OPTIONAL_UNITS = {
-    "shear_modulus": "MPa",
-    "break_strain": UNITS["max_strain"],
-    **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
-}
 
 # lowest and highest plausible value of each key, and its unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
@@ -158,12 +152,7 @@ USUAL_RATIO = NominalRatio(0.3)
 """Poisson's ratio of a sheet for which no ratio is given."""
 
 
-def _checked_poisson_ratio(value: Any, where: str) -> float:
-    nu = _finite_number(value, f"{where}: poisson_ratio")
-    if not 0 <= nu < 1:
-        raise InputError(f"{where}: poisson_ratio is {nu:g}; write a number between 0 and 1")
-    return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
-
+A_NAME = "a name such as 'birch-plywood-0.8'; `sheet_names()` lists the names"
 
 LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable with folders or files of sheets, separated as in PATH."""
@@ -490,15 +479,15 @@ class Sheet:
     """
 
     name: str
-    thickness: Annotated[float, Option("Thickness of the sheet.", "mm", least=0)]
-    youngs_modulus: Annotated[float, Option("Young's modulus in bending along the strip.", "MPa", least=0)]
-    density: Annotated[float, Option("Density.", "kg/m3", least=0)]
+    thickness: Annotated[float, Option("Thickness of the sheet.", "mm", above=0)]
+    youngs_modulus: Annotated[float, Option("Young's modulus in bending along the strip.", "MPa", above=0)]
+    density: Annotated[float, Option("Density.", "kg/m3", above=0)]
     max_strain: Annotated[
         float,
-        Option("Largest strain of the surface that the sheet withstands for long: 0.01 is 1 %.", least=0),
+        Option("Largest strain of the surface that the sheet withstands for long: 0.01 is 1 %.", above=0),
     ]
     kerf: Annotated[float, Option("Width of material that the laser removes.", "mm", least=0)] = 0.0
-    poisson_ratio: Annotated[float, Option("Poisson's ratio, if known.", least=0)] = USUAL_RATIO
+    poisson_ratio: Annotated[float, Option("Poisson's ratio, if known.", least=0, most=0.999)] = USUAL_RATIO
     grain: Annotated[
         Grain,
         Option(
@@ -524,20 +513,20 @@ class Sheet:
         Range | None, Option("Least and largest kerf found in practice.", "mm", least=0)
     ] = None
     least_width: Annotated[
-        float | None, Option("Narrowest strip or tongue that can be cut.", "mm", least=0)
+        float | None, Option("Narrowest strip or tongue that can be cut.", "mm", above=0)
     ] = None
     least_ligament: Annotated[
-        float | None, Option("Narrowest ligament of a perforated strip.", "mm", least=0)
+        float | None, Option("Narrowest ligament of a perforated strip.", "mm", above=0)
     ] = None
     least_bridge: Annotated[
-        float | None, Option("Narrowest bridge between the cuts of a plate.", "mm", least=0)
+        float | None, Option("Narrowest bridge between the cuts of a plate.", "mm", above=0)
     ] = None
-    stock: Annotated[Range | None, Option("Side lengths of the largest sheet on sale.", "mm", least=0)] = None
+    stock: Annotated[Range | None, Option("Side lengths of the largest sheet on sale.", "mm", above=0)] = None
     shear_modulus: Annotated[
-        float | None, Option("Shear modulus in the plane of the sheet.", "MPa", least=0)
+        float | None, Option("Shear modulus in the plane of the sheet.", "MPa", above=0)
     ] = None
     break_strain: Annotated[
-        float | None, Option("Strain of the surface at which the sheet breaks.", least=0)
+        float | None, Option("Strain of the surface at which the sheet breaks.", above=0)
     ] = None
     poisson_known: bool = field(init=False, repr=False)
 
@@ -545,24 +534,16 @@ class Sheet:
         object.__setattr__(self, "name", require_name(self.name, "the name of a sheet"))
         if not self.name.strip():
             raise InputError(f"the name of a sheet is {self.name!r}; give a text")
-        sides = tuple(self.stock) if is_series(self.stock) else ()
-        if self.stock is not None and len(sides) != 2:
-            raise InputError(
-                "sheet {name!r}: stock is {stock!r}; write the length and the width of the sheet, mm",
-                name=self.name,
-                stock=self.stock,
-            )
-        object.__setattr__(self, "stock", sides or None)
-        for field_name, unit in UNITS.items():
-            value = self._checked(field_name, getattr(self, field_name), unit)
-            object.__setattr__(self, field_name, value)
-            self._check_range(field_name, value)
-        nu = _checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
-        vars(self).update(poisson_ratio=nu, poisson_known=not isinstance(nu, NominalRatio))
-        figures = [(name, getattr(self, name), unit) for name, unit in OPTIONAL_UNITS.items()]
-        for name, number, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
-            if number is not None:
-                self._checked(name, number, unit)
+        require_declared(Sheet, vars(self), f"sheet {self.name!r}:")
+        for name in (*UNITS, "poisson_ratio"):
+            value = getattr(self, name)
+            vars(self)[name] = value if isinstance(value, NominalRatio) else float(value)
+        for name in UNITS:
+            self._check_range(name)
+        vars(self).update(
+            stock=self.stock and tuple(self.stock),
+            poisson_known=not isinstance(self.poisson_ratio, NominalRatio),
+        )
         grain: object = self.grain
         if is_number(grain):
             object.__setattr__(self, "grain", self._grain_at(grain))
@@ -573,19 +554,6 @@ class Sheet:
         for key, entry in sheet_keys().items():
             if key in PLAUSIBLE and is_number(figure := getattr(self, entry.name)):
                 plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
-
-    def _checked(self, field_name: str, given: Any, unit: str) -> float:
-        value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
-        if value < 0 or (value == 0 and field_name != "kerf"):
-            raise InputError(
-                "sheet {name!r}: {field_name} is {given:g}; write a {least} number, in {unit}",
-                name=self.name,
-                field_name=field_name,
-                given=value,
-                least="zero or positive" if field_name == "kerf" else "positive",
-                unit=unit,
-            )
-        return value
 
     def with_weight_share(self, share: float) -> "Sheet":
         """Return the sheet with a fraction of its density, as if only a part of its weight acted."""
@@ -602,21 +570,17 @@ class Sheet:
             )
         return turned[degrees % 180]
 
-    def _check_range(self, field_name: str, value: float) -> None:
+    def _check_range(self, name: str) -> None:
         """Refuse a range of a property that does not contain the property's value, and store it as a pair."""
-        limits = getattr(self, f"{field_name}_range")
+        value, limits = getattr(self, name), getattr(self, f"{name}_range")
         if limits is None:
             return
-        where = f"sheet {self.name!r}: {field_name}_range"
-        if not isinstance(limits, list | tuple) or len(limits) != 2:
-            raise InputError(f"{where} is {limits!r}; give two numbers, the lowest first")
-        low, high = (_finite_number(v, where) for v in limits)
-        if not 0 <= low <= value <= high:
+        low, high = vars(self)[f"{name}_range"] = tuple(map(float, limits))
+        if not low <= value <= high:
             raise InputError(
-                f"{where} is {low:g} to {high:g}; write a range that contains {field_name} = {value:g}, "
-                "lowest first"
+                f"sheet {self.name!r}: {name}_range is {low:g} to {high:g}; write a range that contains "
+                f"{name} = {value:g}, lowest first"
             )
-        object.__setattr__(self, f"{field_name}_range", (low, high))
 
     @classmethod
     def of(cls, given: "Sheet | str") -> "Sheet":
@@ -629,11 +593,7 @@ class Sheet:
         """
         if isinstance(given, str):
             return cls.named(given)
-        if not isinstance(given, Sheet):
-            raise InputError(
-                f"the sheet is {with_article(type(given))}: give a Sheet, or a name such as 'birch-plywood-0.8'; "
-                "`sheet_names()` lists the names"
-            )
+        require_record(given, Sheet, "the sheet", f"a Sheet, or {A_NAME}")
         return given
 
     @classmethod
@@ -647,11 +607,7 @@ class Sheet:
         folder : Path, optional
             Folder of the files; by default the working folder.
         """
-        if not isinstance(name, str | PathLike):
-            raise InputError(
-                f"the name of a sheet is {with_article(type(name))}: give a text such as 'birch-plywood-0.8'; "
-                "`sheet_names()` lists the names"
-            )
+        require_record(name, str | PathLike, "the name of a sheet", A_NAME)
         figures, text = built_in_figures(), str(name)
         if name in figures:
             return cls(name, **figures[name])

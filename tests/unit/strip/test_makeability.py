@@ -246,7 +246,7 @@ def test_a_sheet_has_limits_of_its_own():
     given = FabricationLimits(least_ligament=0.4, least_bridge=1.0, stock=(600, 400))
     assert (given.ligament_for(fine), given.bridge_for(fine), given.stock_for(fine)) == (0.4, 1.0, (600, 400))
     assert FabricationLimits().stock_for(PLYWOOD) == (3050, 1525)
-    with pytest.raises(InputError, match="least_bridge is 0; write a positive number"):
+    with pytest.raises(InputError, match="least_bridge is 0: give a number above 0"):
         replace(PLYWOOD, least_bridge=0)
 
 

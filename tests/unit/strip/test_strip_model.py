@@ -179,7 +179,7 @@ def test_plates_take_the_name_of_a_sheet():
     model = Model([Placed(arch, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 40)])
     assert model.base_plate("mdf-3").sheet == Sheet.named("mdf-3")
     assert Strip(arch.rod, "birch-plywood-0.8", max_width=20).sheet == arch.sheet
-    with pytest.raises(InputError, match=r"the sheet is a float: give a Sheet.*`sheet_names"):
+    with pytest.raises(InputError, match=r"the sheet is a float. Pass a Sheet.*`sheet_names"):
         model.base_plate(3.0)
     with pytest.raises(InputError, match="did you mean mdf-3"):
         model.slotted_frame("mdf3")
