@@ -128,8 +128,7 @@ def report_strip(
     """
     require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
     for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):
-        if value is not None:
-            require_record(value, record, what, f"a {record.__name__}, or None")
+        require_record(value, record | None, what, f"a {record.__name__}, or None")
     if not (is_whole(stations) and 2 <= stations <= MOST_STATIONS):
         raise InputError(
             "stations is {stations!r}. Use a whole number from 2 to {most_stations}.",

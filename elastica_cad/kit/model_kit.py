@@ -15,7 +15,6 @@ from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.design.measuring_sheet import measuring_of, measuring_page
 from elastica_cad.design.model_report import compose_start_page
-from elastica_cad.errors import InputError
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.write_files import File, check_folder, text_file, write_json, write_text
 from elastica_cad.geometry.path import Path as ClosedPath
@@ -238,10 +237,7 @@ def save_model(
     """
     require_record(cutting, Cutting, "cutting", "a Cutting, such as Cutting(kerf=0.15)")
     spec = KitSpec(Nesting(sheet_size, margin), cutting, shop=shop, ignore_limits=ignore_limits)
-    if not isinstance(model, Model):
-        raise InputError(
-            "The model is a {name}. Pass a Model, such as Model([Placed(strip)]).", name=type(model).__name__
-        )
+    require_record(model, Model, "The model", "a Model, such as Model([Placed(strip)])")
     folder = require_path(folder)
     check_kit_folder(model.name, folder, force=force)
     contents = kit_contents(model, spec, effects=True)

@@ -324,8 +324,7 @@ def optimal_rod(
             "too, or pass `bending_stiffness` instead."
         )
     require_tolerance(tolerance)
-    if law is not None:
-        require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
+    require_record(law, MaterialLaw | None, "law", "a MaterialLaw record, or None")
     request = RodRequest(
         curve, gravity, supports, natural_curvature, samples, weight, bending_stiffness, largest_stiffness,
         least_stiffness, law, section, check, between, forces,
@@ -380,8 +379,7 @@ def _check_section(request: RodRequest, section: Section) -> None:
 def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight | None) -> None:
     if samples is not None:
         whole_number(samples, "samples", 3)
-    if weight is not None:
-        require_record(weight, Weight, "weight", "a Weight record, or None")
+    require_record(weight, Weight | None, "weight", "a Weight record, or None")
     if weight is not None and gravity is None:
         raise InputError("a weight in newtons needs a direction: set {field} too", field=FieldName("gravity"))
 

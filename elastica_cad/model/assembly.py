@@ -8,7 +8,7 @@ from typing import TypeAlias, TypeVar
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import several, with_article
+from elastica_cad._values import require_record, several, with_article
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import left_of
@@ -79,8 +79,7 @@ def bent_names(name: str, strip: Strip) -> tuple[str, ...]:
 
 def require_model(model: object) -> None:
     """Raise InputError if the object is not a `Model`."""
-    if not isinstance(model, Model):
-        raise InputError(f"{with_article(type(model))} is not a model: give ec.Model([rib.placed, ...])")
+    require_record(model, Model, "the model", "a Model, such as ec.Model([rib.placed, ...])")
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:

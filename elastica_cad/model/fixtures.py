@@ -74,8 +74,7 @@ class PlacedTab:
         out = sign * place.direction(unit_vectors(strip.rod.angle[k]))
         origin = place.point(strip.rod.position[k])
         tab, end_width = strip.ends[k], strip.end_widths[k]
-        if name is not None:
-            require_record(name, str, "the name of a tab", "a text")
+        require_record(name, str | None, "the name of a tab", "a text")
         return cls(
             Frame(origin, out, sign * place.z_axis),
             tab.length,
@@ -203,8 +202,7 @@ class EndFixture(EqualByValue):
 
     def __post_init__(self) -> None:
         require_record(self.tab, PlacedTab, "the tab", "a PlacedTab")
-        if self.floor is not None:
-            require_record(self.floor, Frame, "the floor", "a Frame")
+        require_record(self.floor, Frame | None, "the floor", "a Frame")
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
             raise InputError(f"{who}: the strip has no tab at this end: add one, such as Tab(10)")

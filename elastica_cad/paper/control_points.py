@@ -492,8 +492,7 @@ def enforce_constraints(
     require_curve(curve)
     if like is not None:
         require_curve(like)
-    if line is not None:
-        require_record(line, InflectionLine, "line", "an InflectionLine, or None")
+    require_record(line, InflectionLine | None, "line", "an InflectionLine, or None")
     if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"tolerance is {tolerance!r}: give a number above 0")
     constraints: list[Constraint] = [

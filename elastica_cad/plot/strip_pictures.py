@@ -82,8 +82,7 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None, design: Rod | None = None) 
         With `design`, the inflection line and the thrust line are left out.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
-    if design is not None:
-        require_record(design, Rod, "the designed shape", "a Rod")
+    require_record(design, Rod | None, "the designed shape", "a Rod")
     figure, (above, below) = new_page([_bent_panel(rod, wish), STIFFNESS])
     _paint_bent(above, rod, wish, design=design)
     _paint_stiffness(below, rod)

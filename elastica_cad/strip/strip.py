@@ -20,7 +20,6 @@ from elastica_cad._values import (
     several,
     three,
     value_key,
-    with_article,
 )
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_down, rounded_up
 from elastica_cad.geometry.frame import Frame
@@ -71,8 +70,8 @@ from elastica_cad.strip.element_cuts import (
     strained_cuts,
     widened_for_cuts,
 )
-from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
-from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
+from elastica_cad.strip.held_shape import USUAL_TOLERANCE, HeldShape, MakingTolerance, Reactions, closes
+from elastica_cad.strip.layers import LapPlates, Layer, cut_layers, draw_layers
 from elastica_cad.strip.lettering import LEAST_LABEL_MM, engravable, engraved_names, require_engravable
 from elastica_cad.strip.outline import SHOULDER_MM, USUAL_TABS, Ends, Tab, pair_of_tabs
 from elastica_cad.strip.perforation import DiamondPattern
@@ -92,8 +91,6 @@ from elastica_cad.strip.tab_seats import TabSeat
 
 if TYPE_CHECKING:
     from elastica_cad.strip.as_made import StripAsMade
-    from elastica_cad.strip.held_shape import HeldShape
-    from elastica_cad.strip.layers import LapPlates
 
 
 FILLETS = (
@@ -452,15 +449,12 @@ class Strip:
     engrave: str | None = None
     creep: float = 0.0
     correction: Profile | None = None
-    plates: "LapPlates | None" = None
+    plates: LapPlates | None = None
     tolerance: MakingTolerance = USUAL_TOLERANCE
     unmarked: bool = False
 
     def __post_init__(self) -> None:
-        if not isinstance(self.rod, Rod):
-            raise InputError(
-                f"the rod is {with_article(type(self.rod))}: give a Rod, such as the result of optimal_rod"
-            )
+        require_record(self.rod, Rod, "the rod", "a Rod, such as the result of optimal_rod")
         if self.rod.follows_bend:
             object.__setattr__(self, "rod", as_bent(self.rod))
         require_style(self.style)
@@ -471,8 +465,7 @@ class Strip:
         if self.engrave is not None:
             require_engravable(self.engrave)
         require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
-        if self.correction is not None:
-            require_record(self.correction, Profile, "the correction", "a Profile, or None")
+        require_record(self.correction, Profile | None, "the correction", "a Profile, or None")
         slots = several("slots", self.slots, Slot, "Slot")
         for slot in slots:
             slot.require_rad()
@@ -940,7 +933,7 @@ class Strip:
         cut = self.slots or element_cuts(self.rod)
         return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
 
-    def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
+    def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> HeldShape:
         """Return the shape of the finished strip in its holders.
 
         An end without a holder is clamped as designed.
@@ -951,15 +944,14 @@ class Strip:
             No rest shape was found.
         """
         for seat in (start, end):
-            if seat is not None:
-                require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
+            require_record(seat, TabSeat | None, "a holder", "a TabSeat, or None")
         return self._held_as_designed if start is None and end is None else self._held_by(start, end)
 
     @cached_property
-    def _held_as_designed(self) -> "HeldShape":
+    def _held_as_designed(self) -> HeldShape:
         return self._held_by(None, None)
 
-    def _held_by(self, start: TabSeat | None, end: TabSeat | None) -> "HeldShape":
+    def _held_by(self, start: TabSeat | None, end: TabSeat | None) -> HeldShape:
         require_free_between(self.rod, "The strip as made")
         uncorrected = self.as_made if self.correction is None else replace(self, correction=None).as_made
         return self.as_made.held((start, end), uncorrected, self.tolerance)

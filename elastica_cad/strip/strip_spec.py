@@ -570,8 +570,7 @@ class StripSpec(EqualByValue):
         require_natural_curvature(self.natural_curvature)
         require_declared(StripSpec, vars(self))
         require_gentle_pre_bend(self.natural_curvature, sheet.thickness)
-        if self.frame is not None:
-            require_record(self.frame, Frame, "the frame", "a Frame, the plane of the curve, or None")
+        require_record(self.frame, Frame | None, "the frame", "a Frame, the plane of the curve, or None")
         require_style(self.style)
         ends, slots = pair_of_tabs(self.ends, supports), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)

@@ -165,7 +165,7 @@ class TestWhatHoldsTheStrips:
     def test_something_else(self, crown):
         with pytest.raises(InputError, match="a str is not a holder: give base plates"):
             step.model_shapes(crown, ["plate"])
-        with pytest.raises(InputError, match=r"a tuple is not a model: give ec\.Model"):
+        with pytest.raises(InputError, match=r"the model is a tuple\. Pass a Model"):
             require_model(crown.placed)
 
     @pytest.mark.campaign

@@ -84,7 +84,7 @@ SLIPS = {
     "`ends` has 1 tab: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=(Tab(5),)),
     "ends contain 5. Pass only Tab records": lambda: Strip(ROD, SHEET, max_width=20, ends=(5, 5)),
     "slots contain 3. Pass only Slot records": lambda: Strip(ROD, SHEET, max_width=20, slots=[3]),
-    "the rod is a str: give a Rod": lambda: Strip("rod", SHEET, max_width=20),
+    "the rod is a str. Pass a Rod": lambda: Strip("rod", SHEET, max_width=20),
     "style is 'plain': give": lambda: Strip(ROD, SHEET, max_width=20, style="plain"),
     "the label is 3: give text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
     "wall is '4'": lambda: EndFixture.of(STRIP, "end", wall="4"),
