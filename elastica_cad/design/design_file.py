@@ -37,7 +37,7 @@ from elastica_cad.formats.source_file import file_in, read_below, require_below,
 from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
-from elastica_cad.model.model import Model
+from elastica_cad.model.model import Model, interlock_compensated
 from elastica_cad.refusals import ended, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed, Strip
@@ -159,8 +159,6 @@ class Design:
         which = {entry.label for entry in self.entries if entry.spec.compensate}
         if not which:
             return model.interlock(**self.interlock)
-        from elastica_cad.model.model import interlock_compensated
-
         return interlock_compensated(model, which, **self.interlock)
 
 

@@ -10,12 +10,12 @@ from elastica_cad._values import require_record
 from elastica_cad.declared import Field, Option, Record, declared, require_declared
 from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
-from elastica_cad.formats.drawing_style import Scheme
 from elastica_cad.formats.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
+from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import strip_names
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 from elastica_cad.translations import Language
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from elastica_cad.model.frames import Rib
     from elastica_cad.model.model import Model
     from elastica_cad.model.plates import BasePlate
-    from elastica_cad.strip.pieces import Piece
 
 
 def cutting_keys() -> dict[str, Field]:
@@ -114,7 +113,9 @@ class Cutting:
     colors: Annotated[
         str,
         Option(
-            "Colours of cuts and engraving, as expected by a laser program.", group="files", written=Scheme
+            "Colours of cuts and engraving, as expected by a laser program.",
+            group="files",
+            written=Literal["elastica", "boxes", "lightburn"],
         ),
     ] = "elastica"
     holding: Annotated[
@@ -328,7 +329,6 @@ class KitSpec:
         """
         from elastica_cad.strip.coupon import coupon_drawing, reference_bar
         from elastica_cad.strip.lettering import engraved_names
-        from elastica_cad.strip.pieces import Piece
 
         sheets = [
             sheet for sheet in dict.fromkeys(strip.sheet for strip in model.strips) if sheet.kind != ROD_KIND

@@ -5,7 +5,7 @@ these cannot be made.
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import ceil
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -33,9 +33,6 @@ from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import GravityOption
 from elastica_cad.strip.styles import PLAIN, Style
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
-
-TestedChange: TypeAlias = tuple[str, str]
-"""Name of what was tested, and the instruction that makes strips and rings possible, or ""."""
 
 TESTED_COUNTS = 6
 """Smaller numbers of strips, at equal steps down to half the requested number, that are tested then."""
@@ -226,12 +223,12 @@ class RevolutionTable:
             return isinstance(problem, StrainError)
         return False
 
-    def _without_ends(self) -> Iterator[TestedChange]:
+    def _without_ends(self) -> Iterator[tuple[str, str]]:
         if self.ends is not None:
             edit = note("leave out {field}", field=FieldName("ends"))
             yield note("tabs of the default size"), edit if self._works(ends=None) else ""
 
-    def _larger_openings(self) -> Iterator[TestedChange]:
+    def _larger_openings(self) -> Iterator[tuple[str, str]]:
         """Yield the change that moves one end point of the meridian, or both, away from the axis."""
         points, widest = self.points, max((x for x, _ in self.points), default=0.0)
 
@@ -271,7 +268,7 @@ class RevolutionTable:
             ),
         )
 
-    def _fewer_strips(self) -> Iterator[TestedChange]:
+    def _fewer_strips(self) -> Iterator[tuple[str, str]]:
         """Yield the numbers of strips that were tried, and the change to the largest that works, or ""."""
         step = ceil(self.strips / (2 * TESTED_COUNTS))
         counts = [count for k in range(1, TESTED_COUNTS + 1) if (count := self.strips - k * step) >= 3]

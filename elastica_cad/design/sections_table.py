@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -24,8 +24,6 @@ from elastica_cad.form_finding.section_spec import (
 from elastica_cad.formats.mesh_files import mesh_surface, read_sized_surface
 from elastica_cad.formats.source_file import file_in
 
-WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
-
 
 @dataclass(frozen=True)
 class SectionsTable:
@@ -41,7 +39,10 @@ class SectionsTable:
     scale: Annotated[float | None, Option("Scale factor of the mesh.", above=0)] = None
     half: Annotated[bool | None, Option("Only the part of each section at x >= 0 of its plane.")] = None
     longest: Annotated[bool, Option("Only the longest line of each section.")] = False
-    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Option("Places where sections are split.")] = ()
+    split: Annotated[
+        PlaneSplit | PointSplit | CornerSplit | tuple[PlaneSplit | PointSplit | CornerSplit, ...],
+        Option("Places where sections are split."),
+    ] = ()
     tolerance: Annotated[float, Option("Largest distance of the curve from the section.", "mm", least=0)] = (
         0.3
     )

@@ -84,7 +84,7 @@ class Formula:
         return self.text[:200]
 
     @cached_property
-    def _parsed(self) -> "_Parsed":
+    def _parsed(self) -> tuple[ast.expr, tuple[ast.Name, ...]]:
         if len(self.text) > 2000:
             raise InputError(
                 "{place}: a formula of {count} characters is too long. Name parts of the formula in a table "
@@ -147,11 +147,8 @@ class Formula:
         )  # fmt: skip
 
 
-_Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
-
-
 @lru_cache(maxsize=256)
-def _parsed(text: str) -> _Parsed:
+def _parsed(text: str) -> tuple[ast.expr, tuple[ast.Name, ...]]:
     """Cache the syntax tree and the names of a formula, because many strips have the same formulae."""
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "closest", "max"]
-LimitUnit: TypeAlias = Literal["number", "length", "angle", ""]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # largest violation of a limit that counts as met; see `ActiveLimit.broken` for its units
@@ -59,7 +58,7 @@ class ActiveLimit:
     cost: float = 0.0
     broken: float = 0.0
     title: str = ""
-    unit: LimitUnit = ""
+    unit: Literal["number", "length", "angle", ""] = ""
     sentence: "Callable[[Any, Rod], str] | None" = field(default=None, repr=False, compare=False)
 
 

@@ -47,8 +47,6 @@ DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
 # largest number of ends, of all layers, at a place where ends are joined
 _MOST_ENDS = 50
 
-# map from each joined end to the end that it touches; an end is (index of the run, 0 for start or 1 for end)
-_Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
 # position in a run: index of the edge, and parameter on the edge
 _Place: TypeAlias = tuple[int, float]
 
@@ -209,7 +207,9 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     return sorted(pairs, key=lambda pair: pair[0])
 
 
-def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
+def _follow_joints(
+    first: int, side: int, partner: dict[tuple[int, int], tuple[int, int]], used: list[bool]
+) -> list[tuple[int, int]]:
     """Follow the joints from one end of the run `first`, and return the runs in order.
 
     `side` is this end: 0 for the start, 1 for the end. Each entry has the index of a run, and the end at which
@@ -236,7 +236,9 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
-def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
+def _partners(
+    runs: Sequence[Run], reach: FloatArray, *, corners: bool
+) -> dict[tuple[int, int], tuple[int, int]]:
     """Return the partner of each end (run, side) that touches exactly one other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]

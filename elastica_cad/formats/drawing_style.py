@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import TypeAlias
 
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, quoted
@@ -94,8 +94,6 @@ class LayerStyle:
 
 
 LayerChoice: TypeAlias = str | tuple[str, str] | LayerStyle
-
-Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
 
 
 def _scheme(*colors: str) -> dict[str, LayerStyle]:

@@ -716,17 +716,6 @@ class NurbsCurve:
         """
         return self._pieces.edges, self._pieces.bezier
 
-    def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
-        """Return the knot spans as tuples (t0, t1, control points).
-
-        The control points (degree + 1, 3) are homogeneous: rows x w, y w, w for weight w.
-        """
-        edges = self._pieces.edges
-        return tuple(
-            (float(a), float(b), piece.copy())
-            for a, b, piece in zip(edges[:-1], edges[1:], self._pieces.bezier, strict=True)
-        )
-
     def reversed(self) -> Self:
         """Return the curve with its direction reversed."""
         weights = None if self.weights is None else self.weights[::-1]

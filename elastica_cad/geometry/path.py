@@ -411,11 +411,6 @@ def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
     return _chords([segment], tolerance)[1:]
 
 
-def chord_points(segment: Segment, tolerance: float) -> FloatArray:
-    """Return the points (n, 2) of `chords`, mm."""
-    return chords(segment, tolerance)[1]
-
-
 def _initial_parameters(segment: Segment, tolerance: float) -> FloatArray:
     """Return the parameters u (n,) of the ends of chords: final for lines and arcs, initial for splines."""
     tolerance = require_tolerance_mm(tolerance)

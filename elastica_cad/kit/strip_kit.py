@@ -20,7 +20,7 @@ from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.makeable_strip import spliced
 from elastica_cad.strip.slots import Cuts, end_numbers
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
@@ -182,7 +182,6 @@ class StripResult:
         from elastica_cad.kernel.mesh_files import write_glb
         from elastica_cad.kernel.step_files import model_shapes
         from elastica_cad.model.model import Model
-        from elastica_cad.strip.strip import Placed
 
         frame = self.spec.frame or UPRIGHT
         placed = Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)

@@ -178,11 +178,6 @@ class Weight:
     masses: Annotated[tuple[PointMass, ...], Option("Masses hung on the strip.")] = ()
     own: Annotated[bool, Option("Add the strip's own weight.")] = False
 
-    @property
-    def has_points(self) -> bool:
-        """True if the position of a mass is a point (x, y)."""
-        return any(isinstance(mass.at, tuple) for mass in self.masses)
-
     def __post_init__(self) -> None:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):

@@ -78,10 +78,6 @@ class NestedSheet(Drawing):
         return dict(Counter(self.pieces))
 
 
-Sawn: TypeAlias = tuple[str, float]
-"""Name of a piece, and a length to saw for it, mm."""
-
-
 @dataclass(frozen=True)
 class _Box:
     """Box of a piece with its margin: size along and across rows, mm, and True if rotated by 90 degrees."""
@@ -162,8 +158,10 @@ def nest_pieces(
     return tuple(drawings)
 
 
-def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[tuple[Sawn, ...], ...]:
-    """Return the lengths to saw from each rod.
+def saw_rods(
+    pieces: Iterable[Piece], stock: float, saw: float = 2.0
+) -> tuple[tuple[tuple[str, float], ...], ...]:
+    """Return the names of pieces and the lengths, mm, to saw from each rod.
 
     The longest lengths are sawn first, each from the first rod that is long enough. A piece that is longer
     than a rod is joined from whole rods and a shorter length.
@@ -184,13 +182,13 @@ def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[t
     >>> [[length for _, length in rod] for rod in saw_rods([Piece("P", pole, Sheet.named("glass-rod-4"), 3)], 2000)]
     [[700.0, 700.0], [700.0]]
     """
-    lengths: list[Sawn] = []
+    lengths: list[tuple[str, float]] = []
     for piece in pieces:
         length = piece.size[0]
         whole = int((length - FIT_TOLERANCE_MM) // stock)
         parts = [stock] * whole + [length - whole * stock]
         lengths += [(piece.name, part) for part in parts] * piece.count
-    rods: list[list[Sawn]] = []
+    rods: list[list[tuple[str, float]]] = []
     for name, length in sorted(lengths, key=lambda sawn: -_rounded(sawn[1])):
         fits = (
             rod for rod in rods if sum(used + saw for _, used in rod) + length <= stock + FIT_TOLERANCE_MM

@@ -85,7 +85,8 @@ class PlateHoles:
     ) -> tuple[Path | None, tuple[Path, ...]]:
         """Return the round opening (None if holes or a bridge replace it) and the loops of all holes."""
         round_hole = (self.bulb or 0.0) / 2
-        circle = (self.circle or self.bulb_and_border(border)) / 2
+        # by default, the screw holes are `border` mm from the edge of the hole for the lamp holder
+        circle = (self.circle or (self.bulb or 0.0) + self.screw + 2 * border) / 2
         turns = 2 * np.pi * np.arange(self.screws) / max(self.screws, 1)
         middles = center + circle * unit_vectors(turns)
         holes = [Path.circle(center, round_hole)] if round_hole else []
@@ -101,13 +102,6 @@ class PlateHoles:
                 center, inner, hub + self.bridge / 2 if hub else 0.0, self.bridge / 2
             )
         return None, (*holes, *windows)
-
-    def bulb_and_border(self, border: float) -> float:
-        """Return the default diameter, mm, of the circle through the centres of the screw holes.
-
-        The edges of the screw holes are then `border` mm from the edge of the hole for the lamp holder.
-        """
-        return (self.bulb or 0.0) + self.screw + 2 * border
 
 
 def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:

@@ -50,9 +50,6 @@ SLOPE_TOLERANCE = 1e-12
 END_MM = 1e-9
 """Distance, mm, from an end below which a kink of the width counts as being at the end."""
 
-_Bound: TypeAlias = tuple[float, FloatArray]
-"""Bound on half the width of a strip: a and b of the distance a + <b, gamma> of its curve gamma from a plane."""
-
 
 def touching_widths(
     strips: Sequence[Placed | tuple[PlaneCurve, Frame]], gap: float = 0.0, *, closed: bool = False
@@ -112,8 +109,12 @@ def _bisector_bound(
     other: tuple[PlaneCurve, Frame],
     gap: float,
     names: tuple[str, str],
-) -> _Bound:
-    """Return the first strip's bound at the plane midway between both strips, moved inwards by `gap` mm."""
+) -> tuple[float, FloatArray]:
+    """Return the bound on half the first strip's width at the plane midway between both strips.
+
+    The plane is moved inwards by `gap` mm. The bound is a and b of the distance a + <b, gamma> of the strip's curve
+    gamma from the plane.
+    """
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -130,8 +131,10 @@ def _bisector_bound(
     return float(offset - normal @ frame.origin) / pace, -(frame.axes[:2] @ normal) / pace
 
 
-def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
-    """Return twice the smaller of the bounds, with a kink where the bounds cross."""
+def _width_within(
+    curve: PlaneCurve, bounds: Sequence[tuple[float, FloatArray]], gap: float, name: str
+) -> Profile:
+    """Return twice the smaller of the bounds of `_bisector_bound`, with a kink where the bounds cross."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         (a, b), (c, d) = bounds

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import ceil, log, sqrt
-from typing import Literal, TypeAlias
+from typing import Literal
 
 import numpy as np
 
@@ -16,8 +16,6 @@ from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction, in_panels, locate_in_panels
 from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import FieldName, Length, note
-
-Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 """Tolerances within which the ends of two curves become equal: distance / length, and angle, rad."""
@@ -82,7 +80,9 @@ def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCu
     return first, second
 
 
-def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> MatchedPair:
+def matched_pair(
+    first: PlaneCurve, second: PlaneCurve, keep: Literal["ends", "shape"] = "ends"
+) -> MatchedPair:
     """Return two curves with equal lengths, changed as little as possible.
 
     Parameters

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Arc, Path, Segment, SegmentTable, Spline, chord_points, trim_segment
+from elastica_cad.geometry.path import Arc, Path, Segment, SegmentTable, Spline, chords, trim_segment
 from elastica_cad.geometry.plane_points import cross, left_of, norm, place, turn_between
 from elastica_cad.refusals import Length
 
@@ -125,7 +125,7 @@ def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment])
         return True
     if arc is None:
         return False
-    points = np.concatenate([chord_points(segments[k], CLOSE_SHARE * arc.radius) for k in gap])
+    points = np.concatenate([chords(segments[k], CLOSE_SHARE * arc.radius)[1] for k in gap])
     chord = arc.end - arc.start
     sense = np.sign(cross(chord, arc.at(0.5) - arc.start))
     clear = norm(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius

@@ -313,7 +313,7 @@ class Perforated:
 
     The total width of the ligaments is proportional to the stiffness (paper, section 8.1).
 
-    The proportion is exact in the bent part, except near rounded tips of holes (`tip_zone`). The weight per length
+    The proportion is exact in the bent part, except near rounded tips of holes. The weight per length
     is therefore proportional to the stiffness, as in a solid strip. Without `max_width`, the holes are as small,
     and the ligaments as wide, as the limits allow.
 
@@ -390,18 +390,6 @@ class Perforated:
         )  # fmt: skip
         warnings = tuple(self._warnings(pattern, fit.s))
         return Layout(sheet, outer, material, scale, pattern=pattern, warnings=warnings)
-
-    def tip_zone(self, layout: Layout) -> float:
-        """Return half the length, mm, of the zones where rounded tips of holes leave extra material.
-
-        The centres of the zones are `layout.pattern.joints`.
-        """
-        if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
-            return 0.0
-        s = stations_of(layout.width.length, layout.width, layout.material)
-        # the zones at half diamonds are longest, because their tips are sharpest: between a straight and an
-        # inclined side, a rounding of radius r reaches r / tan(angle / 2) from the tip, about 2 r / slope
-        return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> Iterator[str]:
         slopes = pattern.slopes(s)

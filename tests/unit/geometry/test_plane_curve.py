@@ -263,7 +263,8 @@ def test_straight_and_closed_are_reported():
 
 def test_bezier_pieces_are_the_curve():
     curve = PlaneCurve(knot_vectors(8, 4)["uneven"], POINTS, 4, np.linspace(1, 3, 8))
-    for t0, t1, rows in curve.bezier_pieces():
+    edges, pieces = curve.bezier_table
+    for t0, t1, rows in zip(edges[:-1], edges[1:], pieces, strict=True):
         np.testing.assert_allclose(rows[0, :2] / rows[0, 2], curve.evaluate(t0), atol=1e-12)
         np.testing.assert_allclose(rows[-1, :2] / rows[-1, 2], curve.evaluate(t1), atol=1e-12)
         middle = np.array([1, 4, 6, 4, 1]) / 16 @ rows

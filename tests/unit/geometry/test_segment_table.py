@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.path import Arc, Line, SegmentTable, Spline, chord_points, chords_of_all
+from elastica_cad.geometry.path import Arc, Line, SegmentTable, Spline, chords, chords_of_all
 from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
@@ -35,4 +35,4 @@ def test_points_and_derivatives():
 def test_chords(tolerance):
     which, points = chords_of_all(SEGMENTS, tolerance)
     for k, segment in enumerate(SEGMENTS):
-        assert points[which == k] == pytest.approx(chord_points(segment, tolerance), abs=1e-9)
+        assert points[which == k] == pytest.approx(chords(segment, tolerance)[1], abs=1e-9)

@@ -52,7 +52,8 @@ def test_ligaments_sum_up_to_the_stiffness(rod, style):
     relative = ligament_sum(strip, s) / rod.profile(s)
     relative /= np.median(relative)
     joints = np.linspace(0, rod.length, 2 * strip.layout.pattern.rows + 1)
-    zone = style.tip_zone(strip.layout)
+    pattern = strip.layout.pattern
+    zone = pattern.bridge / 2 + float(2 * style.corner_radius / pattern.slopes(s).min())
     outside = np.abs(s[:, None] - joints).min(axis=1) > zone
     assert outside.mean() > 0.5
     assert np.abs(relative - 1)[outside].max() < 0.005
