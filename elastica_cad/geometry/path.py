@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
-from elastica_cad._values import is_number, numbers, require_flag, require_number, several
+from elastica_cad._values import is_number, numbers, require_flag, require_number, require_positive, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
@@ -398,8 +398,7 @@ MOST_ROUNDS = 40
 
 def require_tolerance_mm(tolerance: float) -> float:
     """Return the tolerance, mm, and refuse it unless it is positive and finite."""
-    if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"the tolerance is {tolerance}: give a number above 0, in mm")
+    require_positive(tolerance, "the tolerance")
     return float(tolerance)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_whole, numbers, require_number
+from elastica_cad._values import is_whole, numbers, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials import interior_roots, raise_degree, value_and_slope
 from elastica_cad.geometry.splines import (
@@ -104,8 +104,7 @@ class Profile:
         NotConvergedError
             The function has a break that is not in `breaks`, or noise above the tolerance.
         """
-        if not (is_number(length) and length > 0):
-            raise InputError(f"the length of a profile is {length!r} mm: give a number above 0")
+        require_positive(length, "the length of a profile")
         spline_knots, coefficients = adaptive_spline(
             function,
             (0.0, float(length)),

@@ -804,8 +804,7 @@ def _smoothed(
 def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
         raise InputError(f"the degree of a fitted curve is {degree!r}: use 3, 4 or 5")
-    if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"the tolerance of a fit is {tolerance!r} mm: use a number above 0")
+    require_positive(tolerance, "the tolerance of a fit")
     if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
         raise InputError(f"the smoothing of a fit is {smoothing!r}: use 0 or more")
 

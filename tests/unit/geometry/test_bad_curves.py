@@ -103,7 +103,7 @@ def test_coincident_control_points_without_standstill_are_allowed():
         (lambda: PlaneCurve.fit([(0, 0), (0, 0)]), "fewer than two different points"),
         (lambda: PlaneCurve.fit([]), r"shape \(n, 2\)"),
         (lambda: PlaneCurve.fit(GOOD, degree=2), "use 3, 4 or 5"),
-        (lambda: PlaneCurve.fit(GOOD, tolerance=0), "tolerance of a fit is 0 mm: use a number above 0"),
+        (lambda: PlaneCurve.fit(GOOD, tolerance=0), "tolerance of a fit is 0: give a number above 0"),
         (lambda: PlaneCurve.fit(GOOD, smoothing=-1), "smoothing of a fit is -1: use 0 or more"),
         (lambda: PlaneCurve.fit([(0, 0), (np.nan, 1), (2, 2)]), "points holds NaN"),
     ],

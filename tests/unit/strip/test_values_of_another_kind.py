@@ -106,10 +106,8 @@ SLIPS = {
     "width of the outline is None": lambda: Strip(ROD, SHEET, style=Perforated(None)),
     "width of the outline is '20'": lambda: Strip(ROD, SHEET, style=Perforated("20")),
     "placed contain array": lambda: Model(np.array(3.0)),
-    "the tolerance of a fit is '0.1' mm: use a number above 0": lambda: PlaneCurve.fit(
-        POINTS, tolerance="0.1"
-    ),
-    "the tolerance of a fit is None mm": lambda: PlaneCurve.fit(POINTS, tolerance=None),
+    "the tolerance of a fit is '0.1': give a number above 0": lambda: PlaneCurve.fit(POINTS, tolerance="0.1"),
+    "the tolerance of a fit is None": lambda: PlaneCurve.fit(POINTS, tolerance=None),
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
     "the name of a sheet is a list": lambda: Sheet.named(["mdf-3"]),
@@ -136,7 +134,7 @@ SLIPS = {
     "tolerance is '1e-4'": lambda: split(ROD.curve, tolerance="1e-4"),
     "quadratic coefficient of the material law is None": lambda: PolynomialLaw(None),
     "Poisson's ratio is wood": lambda: anticlastic_factor(40, 0.01, thickness=0.5, poisson_ratio="wood"),
-    "the tolerance is 0.1 mm: give a number above 0": lambda: STRIP.outline.points("0.1 mm"),
+    "the tolerance is '0.1 mm': give a number above 0": lambda: STRIP.outline.points("0.1 mm"),
     "the normal of a mirror is 'z': give three finite numbers": lambda: Model([Placed(STRIP)]).mirrored(
         (0, 0, 0), "z"
     ),
