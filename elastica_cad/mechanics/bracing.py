@@ -9,7 +9,8 @@ K is the bending stiffness, lambda the negative internal force, kappa the curvat
 tie of length l pulls along the unit vector u between the arc lengths p and q with the force T. A rail pushes along
 the normal n with the force t n, and touches the strip at a point that moves by sigma along the strip.
 
-The constraints are v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0 for taut ties.
+The constraints are v = 0 at pins, <n, v> = 0 at rails, <d, v> = 0 at guides along d, and <u, v_q - v_p> = 0 for
+taut ties.
 """
 
 from collections.abc import Sequence
@@ -20,7 +21,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import left_of, norm, unit
-from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights, floats
+from elastica_cad.mechanics.elements import ElementForce, Guide, Pin, Rail, Tie, edge_weights, floats
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
@@ -109,7 +110,7 @@ _Brace: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
 
 The vector x (m + 2,) contains the m changes of angles and strains, and the translation of the whole rod. The
 arrays are the rows (k, m + 2) of constraints rows @ x = 0, the rows (r, m + 2) of linear forms f, and the matrix C
-(r, r) of the term f^t C f that is added to the energy. For a pin, C is 0.
+(r, r) of the term f^t C f that is added to the energy. For a pin or guide, C is 0.
 """
 
 
@@ -120,8 +121,8 @@ def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
 
 
 def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
-    moves = edges.moves(float(action.s[0]))
-    return moves, moves, np.zeros((2, 2))
+    moves = action.held_directions @ edges.moves(float(action.s[0]))
+    return moves, moves, np.zeros((len(moves), len(moves)))
 
 
 def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
@@ -142,7 +143,7 @@ def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     )  # fmt: skip
 
 
-_BRACES = {Tie: _tie_brace, Pin: _pin_brace, Rail: _rail_brace}
+_BRACES = {Tie: _tie_brace, Pin: _pin_brace, Guide: _pin_brace, Rail: _rail_brace}
 
 
 def bracing_of(

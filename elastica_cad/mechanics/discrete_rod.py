@@ -1,7 +1,7 @@
 """Discrete rod of the paper's section 7.1: equations, energy, second variation, and banded linear algebra."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import lru_cache
 from math import cos, nan, sin
 from typing import NamedTuple
@@ -564,8 +564,8 @@ class DiscreteRod:
         By default both ends are clamped.
     start : (2,) array
         Position of the first node, mm.
-    bracing : Bracing or None
-        Contribution of rails, pins and ties to the second variation.
+    bracing : sequence of ElementForce or None
+        Taut rails, pins and ties that support the rod between its ends; None for a rod without them.
     compression : Compression or None
         Axial elasticity of the edges; None for a rod that bends only.
 
@@ -584,8 +584,16 @@ class DiscreteRod:
     edge_length: float | FloatArray
     supports: Supports = field(default_factory=Supports)
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
-    bracing: Bracing | None = None
+    bracing: Sequence[ElementForce] | None = None
     compression: Compression | None = None
+
+    @cached_property
+    def _brace(self) -> Bracing | None:
+        """Contribution of rails, pins and ties to the second variation."""
+        return None if self.bracing is None else bracing_of(
+            self.bracing, tangents=self.tangents, edge_length=float(self.edge_lengths[0]),
+            supports=self.supports, directions=None if self.compression is None else self.directions,
+        )  # fmt: skip
 
     @cached_property
     def edge_lengths(self) -> FloatArray:
@@ -736,35 +744,31 @@ class DiscreteRod:
 
         For an axially elastic rod, terms replace the constraints.
         """
-        bracing = self.bracing
+        brace, terms = self._brace, None
         if self.compression is not None:
-            return np.zeros((0, self.angles.size)), self._elastic_terms(rows)
-        if bracing is None:
-            return rows, None
-        terms = Terms.of(bracing.terms, bracing.coefficients) if len(bracing.terms) else None
-        return np.concatenate([rows, bracing.rows]), terms
+            rows = np.concatenate([rows, self.edge_length * self.directions.T[list(self.held)]], axis=1)
+        if brace is not None:
+            rows = np.concatenate([rows, brace.rows])
+            terms = Terms.of(brace.terms, brace.coefficients) if len(brace.terms) else None
+        if self.compression is None:
+            return rows, terms
+        return np.zeros((0, self.angles.size)), self._elastic_terms(rows, terms)
 
-    def _elastic_terms(self, rows: FloatArray) -> Terms | None:
+    def _elastic_terms(self, rows: FloatArray, terms: Terms | None) -> Terms | None:
         """Return the terms for the constraints and bracing of an axially elastic rod; the strains are eliminated.
 
         Changes h of the edge angles and e of the strains change the energy by h^t H h + 2 h^t X e + e^t Y e. H is
         the Hessian at constant strains. X = l <lambda, R T> and Y = l / c are diagonal, with edge length l, force
         lambda, tangent T and compliance c. R turns a vector by 90 degrees.
         """
-        n = self.angles.size
-        terms = Terms.of(np.zeros((0, 2 * n)), np.zeros((0, 0)))
-        both = np.concatenate([rows, self.edge_length * self.directions.T[list(self.held)]], axis=1)
-        if self.bracing is not None:
-            both = np.concatenate([both, self.bracing.rows])
-            terms = Terms.of(self.bracing.terms, self.bracing.coefficients)
-        held = orthonormal_rows(both)
+        n, held = self.angles.size, orthonormal_rows(rows)
         both, corner = _border_of(held, terms)
         if not len(both):
             return None
         more = both[:, n:] * self.shortening / self.edge_length
         return Terms(
             both[:, :n] - more * self.sideways_pull, corner - more / self.edge_length @ both[:, n:].T,
-            len(held) + terms.below,
+            len(held) + (0 if terms is None else terms.below),
         )  # fmt: skip
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
@@ -778,11 +782,3 @@ class DiscreteRod:
             self.stiffness[::-1], self.angles[::-1] + np.pi, -force[::-1], self.edge_lengths[::-1],
             self.supports.reversed(), self.position[-1],
         )  # fmt: skip
-
-
-def braced(rod: DiscreteRod, between: Sequence[ElementForce]) -> DiscreteRod:
-    """Return the rod with taut rails, pins and ties that support it between its ends."""
-    return replace(rod, bracing=bracing_of(
-        between, tangents=rod.tangents, edge_length=float(rod.edge_lengths[0]), supports=rod.supports,
-        directions=None if rod.compression is None else rod.directions,
-    ))  # fmt: skip

@@ -9,6 +9,7 @@ The manual's page "Forces between the ends" has the derivation.
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Annotated, Any
 
 import numpy as np
@@ -119,6 +120,21 @@ class Tie(Element):
         if self.length is not None:
             require_positive(self.length, "the length of a tie")
         _require_cut(self)
+
+
+@dataclass(frozen=True)
+class Guide(Element):
+    """Guide that holds a point of the strip along one direction. The point slides across it, and the strip turns.
+
+    A guide is not part of a design. `push_path` moves a point of a rod with it.
+
+    Parameters
+    ----------
+    direction : (float, float)
+        Unit vector of the direction along which the point cannot move.
+    """
+
+    direction: tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -366,7 +382,7 @@ class Mount:
     Attributes
     ----------
     point : (float, float)
-        Point at which a rail or pin holds the strip, mm; not used for ties.
+        Point at which a rail or pin holds the strip, or a point on the line of a guide, mm; not used for ties.
     side : int
         Direction in which a rail pushes the strip: 1 left, -1 right, 0 both or unknown.
     length : float
@@ -384,7 +400,7 @@ class ElementForce:
 
     Attributes
     ----------
-    element : Rail, Pin, Tie or PointForce
+    element : Rail, Pin, Tie, Guide or PointForce
     s : (k,) array
         Arc lengths of the points at which the element acts, mm.
     force : (k, 2) array
@@ -403,6 +419,11 @@ class ElementForce:
     def mounting(self) -> Mount:
         """Value of `mount`, or an empty `Mount` instead of None."""
         return self.mount or Mount()
+
+    @property
+    def held_directions(self) -> FloatArray:
+        """Unit vectors (1, 2) of the direction along which a guide holds the strip, else (2, 2) of both axes."""
+        return np.array([self.element.direction]) if isinstance(self.element, Guide) else np.eye(2)
 
     @property
     def is_one_sided(self) -> bool:
@@ -487,12 +508,13 @@ def resultant(
     return np.array([*total, turning]) / (size or 1.0)
 
 
+@lru_cache(maxsize=32)
 def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> FloatArray:
     """Return the weights (n,) with which the edge vectors add up to the position at arc length s.
 
     With `order` 1 or 2, return the derivatives of the weights by s. The position is on the quadratic B-spline of
     the nodes, along which a rail slides smoothly from edge to edge. This spline touches each edge at its midpoint,
-    and is straight in the outer halves of the first and the last edge.
+    and is straight in the outer halves of the first and the last edge. Calls with equal arguments share the array.
     """
     x = s / edge_length
     if 0.5 < x < edges - 0.5:

@@ -1,4 +1,4 @@
-"""Forces and equations of rails, pins and ties of a discrete rod while the rod is bent.
+"""Forces and equations of rails, pins, ties and guides of a discrete rod while the rod is bent.
 
 The rest shape is a stationary point of
 
@@ -6,8 +6,9 @@ The rest shape is a stationary point of
 
 with respect to the edge angles, the forces f, the arc length s at each rail and the angle psi of each cord. E is
 the energy of the rod, c(s) its position at arc length s, and f a force on the strip. A pin or rail
-is at the point P. A cord of length l connects the arc lengths p and q, in the direction of the unit vector e(psi).
-If no end is held along an axis, the translation of the rod along this axis is an additional unknown.
+is at the point P. The force f of a guide has a fixed direction. A cord of length l connects the arc lengths p and
+q, in the direction of the unit vector e(psi). If no end is held along an axis, the translation of the rod along
+this axis is an additional unknown.
 """
 
 from collections.abc import Sequence
@@ -45,10 +46,11 @@ class ElementEquations:
 
     The first two unknowns of each rail, pin or tie are the components of its force. The third unknown of a rail is
     the arc length of its contact point. The third unknown of a tie is the angle of its cord times the length of the
-    cord. The last unknowns are the translations of the rod along free axes.
+    cord. The only unknown of a guide is the force along its direction. The last unknowns are the translations of
+    the rod along free axes.
 
     Each unknown has a residual. For a component of a force, the residual is the error of a position along x or y,
-    mm. For any other unknown, the residual is a force, 1/mm2.
+    or along the direction of a guide, mm. For any other unknown, the residual is a force, 1/mm2.
 
     Attributes
     ----------
@@ -104,7 +106,7 @@ class MountedElements:
         """Return the initial values (k,) of the unknowns for a rod with edge tangents (n, 2)."""
         numbers: list[float] = []
         for action in self.actions:
-            numbers += action.force[0].tolist()
+            numbers += (action.held_directions @ action.force[0]).tolist()
             if isinstance(action.element, Rail):
                 numbers.append(float(action.s[0]))
             elif isinstance(action.element, Tie):
@@ -112,19 +114,21 @@ class MountedElements:
                 numbers.append(action.mounting.length * float(angle_of(chord)))
         return np.array([*numbers, *(0.0 for _ in self.free_axes)])
 
-    def force(self, numbers: FloatArray, edges: int) -> FloatArray:
+    def force(self, solved: Sequence[ElementForce], edges: int) -> FloatArray:
         """Return the part (n, 2) of the edge forces lambda, 1/mm2, that rails, pins and ties cause.
 
         lambda is the negative internal force. A force on the strip at s acts on all edges up to s, and a tie on
         the edges between its two points.
         """
         force = np.zeros((edges, 2))
-        for action in self.solved(numbers):
+        for action in solved:
             force += self._weights(action, edges) * action.force[0]
         return force
 
-    def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for the unknowns `numbers` (k,).
+    def equations(
+        self, tangents: FloatArray, numbers: FloatArray, solved: Sequence[ElementForce]
+    ) -> ElementEquations:
+        """Return the equations for the unknowns `numbers` (k,), from which `solved` was computed.
 
         `tangents` (n, 2) are the edge vectors divided by `edge_length`.
         """
@@ -137,13 +141,14 @@ class MountedElements:
         free, floating = self.free_axes, floats(self.supports, self.actions)
         first_shift = k - len(free)
         origin = self.anchor + self.shift(numbers)
-        for action, at in zip(self.solved(numbers), self.first_unknowns, strict=True):
-            pair, more, f = slice(at, at + 2), at + 2, action.force[0]
-            weights = self._weights(action, n)
+        for action, at in zip(solved, self.first_unknowns, strict=True):
+            along, f = action.held_directions, action.force[0]
+            more = at + len(along)
+            pair, weights = slice(at, more), self._weights(action, n)
             places[pair] = True
-            pulls[pair] = (tangents * weights).T
-            rows[pair] = across * weights.T
-            residual[pair] = h * (weights * tangents).sum(axis=0)
+            pulls[pair] = along @ (tangents * weights).T
+            rows[pair] = along @ (across * weights.T)
+            residual[pair] = h * pulls[pair].sum(axis=1)
             if isinstance(action.element, Tie):
                 length = action.mounting.length
                 e = unit_vectors(numbers[more] / length)
@@ -157,9 +162,9 @@ class MountedElements:
                     corner[pair, more] = corner[more, pair] = -turning
                     corner[more, more] = f @ e / length
                 continue
-            residual[pair] += action.mounting.point - origin
+            residual[pair] += along @ (action.mounting.point - origin)
             for j, axis in enumerate(free):
-                corner[at + axis, first_shift + j] = corner[first_shift + j, at + axis] = -1.0
+                corner[pair, first_shift + j] = corner[first_shift + j, pair] = -along[:, axis]
                 residual[first_shift + j] -= f[axis]
             if isinstance(action.element, Rail):
                 crossing, curving = (edge_weights(float(action.s[0]), h, n, order) for order in (1, 2))
@@ -179,7 +184,8 @@ class MountedElements:
         """Return rails, pins and ties with the forces and arc lengths of the unknowns `numbers` (k,)."""
         actions = []
         for action, at in zip(self.actions, self.first_unknowns, strict=True):
-            f = numbers[at : at + 2]
+            along = action.held_directions
+            f = numbers[at : at + len(along)] @ along
             force = np.array([f, -f] if isinstance(action.element, Tie) else [f])
             s = numbers[at + 2 : at + 3].copy() if isinstance(action.element, Rail) else action.s
             actions.append(replace(action, s=s, force=force))
@@ -194,8 +200,10 @@ class MountedElements:
 
     @cached_property
     def first_unknowns(self) -> IntArray:
-        """Index of the first unknown of each rail, pin and tie; a pin has two unknowns, the others have three."""
-        sizes = [2 if isinstance(action.element, Pin) else 3 for action in self.actions]
+        """Index of the first unknown of each element. Guides have 1 unknown, pins 2, and rails and ties 3."""
+        sizes = [
+            len(action.held_directions) + isinstance(action.element, Rail | Tie) for action in self.actions
+        ]
         return np.cumsum([0, *sizes])[:-1]
 
     @cached_property

@@ -23,7 +23,6 @@ from elastica_cad.mechanics.cross_sections import BendFactor, Section, at_statio
 from elastica_cad.mechanics.discrete_rod import (
     Compression,
     DiscreteRod,
-    braced,
     edge_forces,
     edge_positions,
     nodal_forces,
@@ -747,14 +746,12 @@ class Rod:
         # a rail, pin or tie at a node makes the force there ambiguous, so take the median difference of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
-        rod = DiscreteRod(
+        slack = slack_elements(self.between, force)
+        return DiscreteRod(
             self.tangent_stiffness, angles, force, self.length / angles.size, self.supports, self.position[0],
+            bracing=[action for action in self.between if action not in slack] if self.between else None,
             compression=self.compression,
         )  # fmt: skip
-        if not self.between:
-            return rod
-        slack = slack_elements(self.between, force)
-        return braced(rod, [action for action in self.between if action not in slack])
 
     @cached_property
     def curve(self) -> PlaneCurve:

@@ -12,7 +12,6 @@ from elastica_cad.mechanics.discrete_rod import (
     Compression,
     DiscreteRod,
     bending_moments,
-    braced,
     edge_forces,
     nodal_forces,
     node_weights,
@@ -202,11 +201,11 @@ class RodState:
         if system.law is not None:
             K = K * self._lawful[1]
         if system.actions:
-            force += system.elements.force(self._numbers, self.angles.size)
-        rod = DiscreteRod(
-            K, self.angles, force, system.edge_length, system.supports, compression=system.compression
-        )
-        return braced(rod, self.actions) if system.actions else rod
+            force += system.elements.force(self.actions, self.angles.size)
+        return DiscreteRod(
+            K, self.angles, force, system.edge_length, system.supports, bracing=self.actions or None,
+            compression=system.compression,
+        )  # fmt: skip
 
     @property
     def _numbers(self) -> FloatArray:
@@ -214,7 +213,7 @@ class RodState:
 
     @cached_property
     def _equations(self) -> ElementEquations:
-        return self.system.elements.equations(self.discrete.tangents, self._numbers)
+        return self.system.elements.equations(self.discrete.tangents, self._numbers, self.actions)
 
     @cached_property
     def actions(self) -> tuple[ElementForce, ...]:

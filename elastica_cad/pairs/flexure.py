@@ -46,7 +46,6 @@ from elastica_cad.geometry.plane_points import (
 )
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
-from elastica_cad.mechanics.cross_sections import at_stations
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
@@ -327,10 +326,11 @@ class Flexure:
         The k rows are both states and shapes on the path between them.
         """
         rests = [rest_shape(rod, thickness=scale) for rod in self.rods]
-        shapes = [self._nodal(rest) for rest in rests]
+        shapes = [(rest.bend, rest.stretch) for rest in rests]
         if self.pair.bistable:
             starts = self.rods if self._are_apart(*rests) else self.rods[:1]
-            shapes += [self._nodal(self._push(start, scale)) for start in starts]
+            paths = [self._push(start, scale) for start in starts]
+            shapes += [(path.bend, path.stretch) for path in paths]
         else:
             rods = self._rods_with_moved_end
             shapes.append((self._bends_of(rods), scale**2 * self._pull_of(rods)))
@@ -391,7 +391,9 @@ class Flexure:
     @cached_property
     def strain(self) -> tuple[float, float]:
         """Largest strain of each state at rest."""
-        first, second = (float(self._strains(*self._nodal(rest), self.scale).max()) for rest in self.rests)
+        first, second = (
+            float(self._strains(rest.bend, rest.stretch, self.scale).max()) for rest in self.rests
+        )
         return first, second
 
     @property
@@ -410,8 +412,7 @@ class Flexure:
     def rest_deviations(self) -> tuple[float, float]:
         """Largest distance of each rest shape from the drawn state, mm."""
         first, second = (
-            _distance(rest.position, at_stations(rod.position.T, rod.s, rest.s).T)
-            for rest, rod in zip(self.rests, self.rods, strict=True)
+            _distance(rest.position, rod.position) for rest, rod in zip(self.rests, self.rods, strict=True)
         )
         return first, second
 
@@ -735,19 +736,18 @@ class Flexure:
         """Return the path of the bistable part that is pushed from a state (0 or 1)."""
         path, B = self._push_finely(self.rods[state], self.scale), self.bending_stiffness
         goal = self.rests[1 - state]
-        place = at_stations(goal.position.T, goal.s, path.s).T
-        reached = _distance(path.released, place) <= REST_SHARE * self.pair.length
+        reached = _distance(path.released, goal.position) <= REST_SHARE * self.pair.length
         return FlexureTravel(
             path.travel, B * path.force, B * path.energy, path.position,
-            self._strains(*self._nodal(path), self.scale).max(axis=1), path.snap, B * path.barrier,
+            self._strains(path.bend, path.stretch, self.scale).max(axis=1), path.snap, B * path.barrier,
             self.bistable and reached,
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to the other state, with more steps up to each travel in `places`, mm."""
+        """Return the path of a push to each travel in `places`, mm; by default to the other state."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
-        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(norm(push)))]
+        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in places or (float(norm(push)),)]
         return push_path(start, at, push, np.unique(travel), thickness=scale)
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
@@ -755,12 +755,7 @@ class Flexure:
         if path.snap is None:
             return path
         peak = path.travel[path.force[path.travel <= path.snap].argmax()]
-        return self._push(start, scale, path.snap, 2 * float(peak))
-
-    def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
-        """Return the changes of curvature, 1/mm, and the axial strains (..., n) at the n nodes of the rod."""
-        s = self.pair.first.s
-        return at_stations(shape.bend, shape.s, s), at_stations(shape.stretch, shape.s, s)
+        return path.merged(self._push(start, scale, path.snap, 2 * float(peak)))
 
     @cached_property
     def _rods_with_moved_end(self) -> Sequence[Rod]:

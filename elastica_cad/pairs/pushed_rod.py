@@ -1,31 +1,31 @@
-"""Clamped rod that is pushed at one point in steps, also past points where the rod snaps."""
+"""Clamped rod that is pushed at one point in steps, also past points where the rod snaps.
 
-from dataclasses import dataclass
+The rod is a discrete rod with axial elasticity (`Compression`), because the constraints of a rod that cannot
+stretch nearly depend on each other at a snap. The push is a `Guide`: it holds one point along the direction of the
+push, and its force is the force of the push.
+"""
+
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, pair
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import left_of, norm, turn_between, unit, unit_vectors
-from elastica_cad.mechanics.cross_sections import at_stations
-from elastica_cad.mechanics.elements import require_free_between
+from elastica_cad.geometry.plane_points import midpoints, norm, unit
+from elastica_cad.mechanics.bending import shape_of, state_of, system_of
+from elastica_cad.mechanics.discrete_rod import Compression
+from elastica_cad.mechanics.elements import ElementForce, Guide, Mount, require_free_between
+from elastica_cad.mechanics.newton_continuation import correct, relax
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod_system import RodState
 from elastica_cad.refusals import Length
 
-EDGES = 480
-"""Number of edges of the discrete rod (paper, section 7.1).
-
-The relative error (1 / EDGES)^2 is as large as the error of a drawing.
-"""
-
-CALM = 1e-8
-"""Largest sum of forces on a node at rest, as a fraction of the largest force in an edge."""
-
-FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
-"""First and least damping, as fractions of the largest nodal stiffness, and factor between successive values.
-
-Damping is added if the energy is not convex, or if a step would increase the energy."""
+EXTRAPOLATED = 3
+"""Number of states from which the next state of a push is extrapolated."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,6 +89,15 @@ class PushPath:
     at: float
     direction: FloatArray
 
+    def merged(self, other: "PushPath") -> "PushPath":
+        """Return the path with the shapes and forces of both paths, which begin at the same rest shape."""
+        travel, order = np.unique(np.concatenate([self.travel, other.travel]), return_index=True)
+        names = ("force", "energy", "position", "bend", "stretch")
+        both: dict[str, Any] = {
+            name: np.concatenate([getattr(self, name), getattr(other, name)])[order] for name in names
+        }
+        return replace(self, travel=travel, **both)
+
     @property
     def largest_force(self) -> float:
         """Largest value of `force` up to the snap, or over the whole travel if the rod does not snap.
@@ -122,13 +131,14 @@ def push_path(
 ) -> PushPath:
     """Return the path of a clamped rod that is pushed at a point in a direction.
 
-    The point is free to move across the direction. At every step, the rod moves from its previous shape to a
-    local minimum of the energy. The rod snaps where the local minimum ceases to exist.
+    The point is free to move across the direction. The shapes are stable equilibria of the rod with the point held
+    along the direction. Where such an equilibrium ends or becomes unstable, the rod snaps: it moves to a local
+    minimum of the energy with the point held at the same place.
 
     Parameters
     ----------
     rod : Rod
-        Rod that is clamped at both ends, without weight, and obeys Hooke's law.
+        Rod that is clamped at both ends, without weight, and obeys Hooke's law. Its nodes are those of the result.
     at : float
         Arc length of the pushed point between the ends, mm.
     direction : (2,) array_like
@@ -153,7 +163,8 @@ def push_path(
     >>> abs(path.force[0]) < 1e-4 < path.largest_force, path.snap is not None
     (True, True)
     """
-    if not 0 < at < _require_plain(rod).length:
+    free = _rest_state(rod, thickness)
+    if not 0 < at < rod.length:
         raise InputError("the rod is {length} long and cannot be pushed {at} from its start: push "
                          "the rod between its ends",
                          length=Length(rod.length), at=Length(at))  # fmt: skip
@@ -161,18 +172,23 @@ def push_path(
     if not away.any():
         raise InputError(f"the direction of the push is {direction!r}: give two numbers, not both 0")
     away = unit(away)
-    chain = _Chain.of(rod, at, np.array([away, left_of(away)]), thickness)
-    x = chain.settled(chain.start)
-    free = x[chain.pushed, 0]
-    steps = numbers(travel, "travel")
-    states = []
+    guide = ElementForce(Guide((float(away[0]), float(away[1]))), np.array([at]), np.zeros((1, 2)))
+    place = shape_of(free).at(at)
+    steps, state, shapes = numbers(travel, "travel"), free, []
+    recent: deque[tuple[float, RodState]] = deque(maxlen=EXTRAPOLATED)
     for u in steps:
-        x = chain.settled(chain.led(x, free + u - x[chain.pushed, 0]), held=True)
-        push = chain.gradient(x)[chain.pushed, 0]
-        states.append((push, chain.energy(x), chain.placed(x), chain.bends(x), chain.stretch(x)))
-    force, energy, position, bend, stretch = map(np.array, zip(*states, strict=True))
-    released = chain.placed(chain.settled(x))
-    return PushPath(steps, force, energy, position, bend, stretch, released, chain.s, at, away)
+        x, y = (place + u * away).tolist()
+        system = replace(free.system, actions=(replace(guide, mount=Mount((x, y))),))
+        ahead = _followed(system.state(*_extrapolated(recent, u))) if recent else None
+        if ahead is None:
+            recent.clear()
+            ahead = _settled(system.state(state.angles, state.reactions))
+        recent.append((u, ahead))
+        state = ahead
+        shapes.append((state.actions[0].force[0] @ away, state.energy, *_nodal(state)))
+    force, energy, position, bend, stretch = map(np.array, zip(*shapes, strict=True))
+    released = _settled(free.system.state(state.angles, state.reactions[:2])).position
+    return PushPath(steps, force, energy, position, bend, stretch, released, rod.s, at, away)
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
@@ -195,211 +211,48 @@ def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
     >>> float(rest_shape(arch, thickness=1.0).stretch.max()) < 0
     True
     """
-    chain = _Chain.of(_require_plain(rod), rod.length / 2, np.eye(2), thickness)
-    x = chain.settled(chain.start)
-    return RestShape(chain.s, chain.placed(x), chain.bends(x), chain.stretch(x))
+    return RestShape(rod.s, *_nodal(_rest_state(rod, thickness)))
 
 
-def _require_plain(rod: Rod) -> Rod:
+def _rest_state(rod: Rod, thickness: float | None) -> RodState:
+    """Return the rest state near the shape of the rod, whose nominal lengths are those without a force."""
     require_free_between(rod, "A pushed rod")
     if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
         raise InputError(
             "a pushed rod can be computed only if both ends are clamped, without weight and with a linear "
             "material: leave out other supports, the weight or the material law"
         )
-    return rod
+    # a thinner rod hardly stretches, and a push that makes it taut would need an unlimited force
+    h = max(thickness or rod.length / 400, rod.length / 1000)
+    compliance = h**2 / 12 / rod.profile(midpoints(rod.s)) ** (1 / 3)
+    system = replace(system_of(rod, rod), compression=Compression(compliance, np.zeros_like(compliance)))
+    return _settled(state_of(rod, system))
 
 
-@dataclass(frozen=True, eq=False)
-class _Chain:
-    """Discrete rod whose edges can stretch and whose nodes can bend.
+def _extrapolated(recent: Iterable[tuple[float, RodState]], u: float) -> tuple[FloatArray, FloatArray]:
+    """Return edge angles and reactions at the displacement u, mm, by a polynomial through the recent states."""
+    travel, states = zip(*recent, strict=True)
+    weights = np.linalg.pinv(np.vander(np.array(travel) - u, increasing=True))[0]
+    return weights @ [state.angles for state in states], weights @ [state.reactions for state in states]
 
-    Positions x (n + 1, 2) are relative to the first node, with the first axis along the push.
-    """
 
-    s: FloatArray
-    edge: FloatArray
-    stiffness: FloatArray
-    natural: FloatArray
-    weight: FloatArray
-    axial: FloatArray
-    clamps: FloatArray
-    start: FloatArray
-    pushed: int
-    frame: FloatArray
-    origin: FloatArray
+def _followed(state: RodState) -> RodState | None:
+    """Return the equilibrium near a state by Newton's method, or None if there is none or it is unstable."""
+    corrected = correct(state)
+    return None if corrected is None or corrected[0].discrete.unstable_modes else corrected[0]
 
-    @classmethod
-    def of(cls, rod: Rod, at: float, frame: FloatArray, thickness: float | None) -> "_Chain":
-        """Return the chain of a rod with a node at the pushed place, `at` mm from the start.
 
-        Without a `thickness`, the rod hardly stretches.
-        """
-        pushed = int(np.clip(round(EDGES * at / rod.length), 1, EDGES - 1))
-        s = np.append(
-            np.linspace(0.0, at, pushed, endpoint=False), np.linspace(at, rod.length, EDGES - pushed + 1)
-        )
-        # a thinner rod hardly stretches, and its axial forces would have large rounding errors
-        edge, h = np.diff(s), max(thickness or rod.length / 400, rod.length / 1000)
-        ends = unit_vectors(rod.angle[[0, -1]])
-        start = at_stations((rod.position - rod.position[0]).T, rod.s, s).T
-        return cls(
-            s=s, edge=edge, stiffness=rod.profile(s), natural=rod.rest_at(s),
-            weight=(np.append(edge, 0.0) + np.append(0.0, edge)) / 2,
-            axial=12 / h**2 * rod.profile(s[:-1] + edge / 2) ** (1 / 3), clamps=ends @ frame.T,
-            start=start @ frame.T, pushed=pushed, frame=frame, origin=rod.position[0],
-        )  # fmt: skip
-
-    def placed(self, x: FloatArray) -> FloatArray:
-        """Return the positions of the nodes (n + 1, 2), mm, in the coordinates of the drawing."""
-        return self.origin + x @ self.frame
-
-    def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return lengths (n,) and directions (n, 2) of the edges, and turning angles (n + 1,) at the nodes."""
-        e = np.diff(x, axis=0)
-        r = norm(e)
-        t = e / r[:, None]
-        around = np.concatenate([self.clamps[:1], t, self.clamps[1:]])
-        return r, t, turn_between(around[:-1], around[1:])
-
-    def bends(self, x: FloatArray) -> FloatArray:
-        return self._edges(x)[2] / self.weight - self.natural
-
-    def stretch(self, x: FloatArray) -> FloatArray:
-        strain = self._edges(x)[0] / self.edge - 1
-        return np.asarray((np.append(strain, strain[-1]) + np.append(strain[0], strain)) / 2)
-
-    def energy(self, x: FloatArray) -> float:
-        r, _, turn = self._edges(x)
-        bent = self.stiffness * self.weight @ (turn / self.weight - self.natural) ** 2
-        return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
-
-    def gradient(self, x: FloatArray) -> FloatArray:
-        """Return the forces (n + 1, 2) that hold the nodes, which are the derivatives of the energy."""
-        force = self._edge_forces(x)
-        return np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0)))
-
-    def _edge_forces(self, x: FloatArray) -> FloatArray:
-        r, t, shear, pull = self._loads(x)
-        return (shear / r)[:, None] * left_of(t) + pull[:, None] * t
-
-    def _loads(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Return lengths and directions of the edges, differences of moments along the edges, and axial forces."""
-        r, t, turn = self._edges(x)
-        moment = self.stiffness * (turn / self.weight - self.natural)
-        return r, t, moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
-
-    def _band(self, x: FloatArray) -> FloatArray:
-        """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2) for SciPy.
-
-        The second derivatives by the edge vectors are 2 x 2 blocks: A_i for edge i, and C_i for the edges i and
-        i + 1 with a common node. An edge vector is a difference of two nodes, so the derivatives by the nodes are
-        differences of blocks.
-        """
-        r, t, shear, pull = self._loads(x)
-        n = left_of(t)
-        K, a = self.stiffness / self.weight, n / r[:, None]
-
-        def outer(scale: FloatArray, factor: FloatArray, other: FloatArray) -> FloatArray:
-            return scale[:, None, None] * factor[:, :, None] * other[:, None, :]
-
-        A = outer(self.axial / self.edge, t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
-        A -= outer(shear / r**2, n, t) + outer(shear / r**2, t, n)
-        C = -outer(K[1:-1], a[:-1], a[1:])
-        blocks = [A[:-1] + A[1:] - C - C.transpose(0, 2, 1), C[:-1] + C[1:] - A[1:-1], -C[1:-1]]
-        band = np.zeros((6, 2 * r.size - 2))
-        for apart, block in enumerate(blocks):
-            for row in (0, 1):
-                for column in (0, 1):
-                    off = 2 * apart + column - row
-                    if off >= 0:
-                        band[5 - off, 2 * apart + column :: 2] = block[:, row, column]
-        return band
-
-    def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return a linear estimate of the nodes after the pushed node has moved by `by` along the push."""
-        step = _solved(*self._holding(self._band(x), by))
-        moved = x.copy()
-        if step is None:
-            moved[self.pushed, 0] += by
-        else:
-            moved[1:-1] += step.reshape(-1, 2)
-        return moved
-
-    def _holding(self, band: FloatArray, by: float) -> tuple[FloatArray, FloatArray]:
-        """Return the band and right-hand side of the equations in which the pushed node moves by `by`."""
-        row, held, right = 2 * (self.pushed - 1), band.copy(), np.zeros(band.shape[1])
-        for k in range(1, 6):
-            held[5 - k, row] = 0.0
-            if row - k >= 0:
-                right[row - k] = -band[5 - k, row] * by
-            if row + k < right.size:
-                right[row + k], held[5 - k, row + k] = -band[5 - k, row + k] * by, 0.0
-        held[5, row], right[row] = 1.0, by
-        return held, right
-
-    def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
-        """Return the nodes at a minimum of the energy near given nodes.
-
-        If `held`, the pushed node does not move along the push.
-        """
-        damping, here, kicked = 0.0, self.energy(x), False
-        shortest = self.edge.min()
-        # rounding error of a force
-        noise = 4e-15 * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
-        for _ in range(2000):
-            band, slope = self._band(x), self.gradient(x)[1:-1]
-            if held:
-                band, _ = self._holding(band, 0.0)
-                slope[self.pushed - 1, 0] = 0.0
-            pulls = max(float(np.abs(self._edge_forces(x)).max()), self.s[-1] ** -2)
-            if np.abs(slope).max() <= max(CALM * pulls, noise):
-                if damping == 0.0 or _solved(band, slope.ravel()) is not None:
-                    return x
-                if kicked:
-                    break
-                x, kicked = self._kicked(x, held), True
-                here = self.energy(x)
-                continue
-            size = float(band[5].max())
-            while True:
-                shifted = band.copy()
-                shifted[5] += damping * size
-                step = _solved(shifted, -slope.ravel())
-                if step is not None:
-                    there = x.copy()
-                    there[1:-1] += step.reshape(-1, 2)
-                    energy = self.energy(there)
-                    # near rest, rounding errors hide the decrease of the energy
-                    if energy <= here or -slope.ravel() @ step <= 1e-11 * abs(here):
-                        x, here = there, energy
-                        damping = damping / DAMPING_STEP if damping > LEAST_DAMPING else 0.0
-                        break
-                damping = max(damping * DAMPING_STEP, FIRST_DAMPING)
-                if damping > 1e6:
-                    raise NotConvergedError(
-                        "no equilibrium of the pushed rod was found: push it at another place"
-                    )
+def _settled(state: RodState) -> RodState:
+    """Return the stable equilibrium that a rod reaches from a state, smoothly or by a snap."""
+    rest = _followed(state) or relax(state)
+    if rest is None:
         raise NotConvergedError(
             "no equilibrium of the pushed rod was found: push it less far, or at another place"
         )
-
-    def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
-        """Return the nodes, displaced slightly, so that the rod can leave an unstable shape."""
-        share = self.s / self.s[-1]
-        # an asymmetric displacement moves the rod away from a saddle of the energy
-        bow = 1e-4 * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
-        moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
-        if held:
-            moved[self.pushed, 0] = x[self.pushed, 0]
-        return moved
+    return rest
 
 
-def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Return the solution, or None if the symmetric matrix is not positive definite."""
-    from scipy.linalg import LinAlgError, solveh_banded
-
-    try:
-        return np.asarray(solveh_banded(band, right, check_finite=False))
-    except LinAlgError:
-        return None
+def _nodal(state: RodState) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the positions (n, 2), mm, changes of curvature (n,), 1/mm, and axial strains (n,) of the nodes."""
+    strain = np.pad(norm(state.discrete.tangents) - 1, 1, mode="edge")
+    return state.position, state.moments / state.system.stiffness, midpoints(strain)

@@ -8,13 +8,21 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.mechanics.bending import bend, has_snapped, state_of, system_of
 from elastica_cad.mechanics.discrete_rod import Compression
+from elastica_cad.mechanics.elements import ElementForce, Guide, Mount
 from elastica_cad.mechanics.mounted_elements import mounted
+from elastica_cad.mechanics.newton_continuation import correct
 from tests.spring_chain import SpringChain
 
 SHEET = ec.Sheet.named("birch-plywood-6")
 SLAT = ec.PlaneCurve.spline([(0, 0), (130, 1), (270, 12), (400, 14), (530, 12), (670, 1), (800, 0)], degree=5)
 RADIUS = 2.0  # radius of gyration of the sine arches, mm
 SPAN, B = 800.0, 1e6
+
+
+def guide(at, turn, point):
+    """A guide along a direction at an angle, rad."""
+    direction = (float(np.cos(turn)), float(np.sin(turn)))
+    return ElementForce(Guide(direction), np.array([at]), np.zeros((1, 2)), Mount(point))
 
 
 def slat(between=(), samples=81):
@@ -137,7 +145,8 @@ def test_the_matrix_of_newton_is_the_derivative_of_the_residual(supports):
     strip = slat((ec.Rail(400), ec.Pin(200), ec.Tie(100, 700)), samples=21)
     held = tuple(ec.End(x=False, angle=False) if end is None else end for end in supports)
     rod = replace(strip.rod_to_bend, supports=ec.Supports(*held))
-    state = state_of(rod, replace(system_of(rod, rod), actions=mounted(rod, None)))
+    elements = (*mounted(rod, None), guide(610.0, 0.7, (600.0, 8.0)))
+    state = state_of(rod, replace(system_of(rod, rod), actions=elements))
     rng = np.random.default_rng(5)
     n, k = state.angles.size, state.reactions.size
     at = state.angles + 0.02 * rng.normal(size=n), state.reactions + 1e-5 * rng.normal(size=k)
@@ -157,13 +166,39 @@ def test_the_matrix_of_newton_is_the_derivative_of_the_residual(supports):
         assert change == pytest.approx(matrix[:, j], abs=2e-5 * np.abs(matrix[:, j]).max())
 
 
+@pytest.mark.parametrize(
+    ("start", "elastic"),
+    [("clamped", True), (ec.End(x=False, angle=False), True), (ec.End(x=False, angle=False), False)],
+)
+def test_two_guides_across_each_other_hold_as_a_pin(start, elastic):
+    rod = slat((ec.Pin(300),)).rod_to_bend
+    rod = replace(
+        rod, supports=ec.Supports(start, "clamped"), compression=rod.compression if elastic else None
+    )
+    (pin,) = mounted(rod, None)
+    x, y = pin.mounting.point
+    pin = replace(pin, mount=Mount((x + 0.02, y + 0.5)))
+    guides = tuple(guide(float(pin.s[0]), turn, pin.mounting.point) for turn in (0.4, 0.4 + np.pi / 2))
+    states = [
+        correct(state_of(rod, replace(system_of(rod, rod), actions=actions)))[0]
+        for actions in ((pin,), guides)
+    ]
+    pinned, guided = states
+    assert guided.angles == pytest.approx(pinned.angles, abs=1e-9)
+    force = pinned.actions[0].force[0]
+    assert sum(action.force[0] for action in guided.actions) == pytest.approx(force, rel=1e-6)
+    assert np.linalg.norm(force) > 1e-6
+    assert guided.discrete.margin.value == pytest.approx(pinned.discrete.margin.value, rel=1e-6)
+
+
 @pytest.mark.parametrize("rail", [False, True])
 def test_unstable_modes_are_those_of_the_matrix(rail):
     """Each force of a support lowers one eigenvalue of the bordered matrix, and each slide raises none."""
     between = (ec.Pin(200), *((ec.Rail(500, one_sided=False),) if rail else ()), ec.Tie(100, 700))
     rod = slat(between, samples=41).rod_to_bend
     for push in (0.0, 2e-4, 1e-3):
-        state = state_of(rod, replace(system_of(rod, rod), actions=mounted(rod, None)))
+        elements = (*mounted(rod, None), guide(610.0, 0.7, (600.0, 8.0)))
+        state = state_of(rod, replace(system_of(rod, rod), actions=elements))
         pushed = state.reactions + np.where(np.arange(state.reactions.size) == 0, push, 0.0)
         state = state.system.state(state.angles, pushed)
         (diagonal, off), rows = state.discrete.hessian, state.rows

@@ -177,7 +177,8 @@ def test_the_push_is_the_same_wherever_the_rod_is_drawn(low):
     pushed = [push_path(rod, 61.7, (0, -1), [0.0, 1.0, 2.0], thickness=1.7) for rod in (first, far)]
     assert pushed[1].force == pytest.approx(pushed[0].force, rel=1e-6, abs=1e-9)
     assert np.abs(pushed[1].position - pushed[0].position - [3e3, -2e3]).max() < 1e-6
-    assert 61.7 in pushed[0].s
+    point = [np.interp(61.7, pushed[0].s, y) for y in pushed[0].position[..., 1]]
+    assert point[0] - point == pytest.approx([0.0, 1.0, 2.0], abs=1e-3)
 
 
 def test_the_largest_force_is_that_before_the_snap(low):
@@ -260,7 +261,7 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
 
 def test_the_least_ratio_has_a_thickness_however_much_its_forces_stretch_the_part():
     """The strain by stretching grows with the square of the thickness."""
-    spec = FlexureSpec(arch(24), arch(-19.2), POM, objective="ratio", ignore_limits=True)
+    spec = FlexureSpec(arch(24), arch(-20), POM, objective="ratio", ignore_limits=True)
     assert 0 < spec.make().scale < 1e-3
     with pytest.raises(InputError, match="parts must be at least"):
         replace(spec, ignore_limits=False).make()
