@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad._text import file_word
+from elastica_cad.cli.bow_command import material_and_section
 from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of
 from elastica_cad.cli.options import (
     LENGTH,
@@ -62,9 +63,11 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import require_flat
 from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.model.bows import bow
 from elastica_cad.refusals import Energy, Force, Mass, Moment, Point, Strain, note, number_text
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, printed_table, warning_row
+from elastica_cad.strip.own_weight import with_weight
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
 from elastica_cad.strip.travel import Travel, bend_strip
@@ -93,6 +96,17 @@ from elastica_cad.strip.travel import Travel, bend_strip
     metavar="MM",
     help="Largest width; with --sheet it gives forces in newtons, strain and safety.",
 )
+@click.option(
+    "--rod",
+    type=Length(positive=True),
+    metavar="DIAMETER",
+    help="Even round rod instead of a strip; with --sheet, its material, it gives forces in newtons.",
+)
+@click.option(
+    "--even",
+    is_flag=True,
+    help="Strip of constant width, --max-width, with the length and ends of CURVE instead of its shape.",
+)
 @set_option(BentKeys)
 @click.option("--gravity", is_flag=True, help="Include the weight of the strip (needs --sheet).")
 @click.option("--down", type=(float, float), metavar="X Y",
@@ -117,10 +131,10 @@ from elastica_cad.strip.travel import Travel, bend_strip
 )
 @click.option("--hold-start", type=click.Choice(END_NAMES),
               help="Support of the start  [default: clamped; as in the report; free for --straight and "
-                   "--tie].")  # fmt: skip
+                   "--tie; pinned for CURVE with --rod or --even].")  # fmt: skip
 @click.option("--hold-end", type=click.Choice(END_NAMES),
               help="Support of the end  [default: clamped; as in the report; free for --straight and "
-                   "--tie].")  # fmt: skip
+                   "--tie; pinned for CURVE with --rod or --even].")  # fmt: skip
 @click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
               help="Number of shapes between the first and the last position, evenly spaced.")  # fmt: skip
 @element_options()
@@ -150,6 +164,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
       elastica bend out/wave.json --shorten 5 --steps 5        a strip made with --tie, its cord 5 mm shorter
 
     \b
+      elastica bend --straight 1200 --rod 8 --sheet gfrp-1 --hold-end roller-x --point-mass 600 9     a rod's sag
+
+    \b
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
 
     Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, for
@@ -157,29 +174,35 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     at the ends, energy, strain, stress and safety at every step. NAME-travel.png shows all shapes, if there is
     more than one step. The strip is then made as in `elastica strip`; --set sets its other keys, such as --set
     style.kind=perforated. A report sets sheet, section, widths and supports, and options replace them. --rail,
-    --pin and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads. A
-    rail or pin at a point beside the strip, at most 5 % of its length away, moves the strip there.
+    --pin and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads.
+    With one of these loads, the weight of the strip acts too. A rail or pin at a point beside the strip, at most
+    5 % of its length away, moves the strip there. With --rod or --even, the strip is the even bow with the length
+    and ends of CURVE, as in `elastica bow`.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(
             "The strip is missing. Name a CURVE, or set the length of a straight strip with --straight MM."
         )
-    refuse_idle({}, {"straight": ("number", "layer", "unit", "smooth", "nearest", "settings")})
+    drawn = ("smooth", "nearest", "settings")
+    refuse_idle({}, {
+        "straight": ("number", "layer", "unit", "even", *drawn), "rod": ("max_width", "thickness", "even", *drawn),
+        "even": drawn,
+    })  # fmt: skip
     requested, finished = None, None
     if curve is not None:
         record = read_request(curve)
         if record is not None:
             _refuse_curve_options(
-                {name for name in ("nearest", "smooth") if chosen[name] not in (None, False)}
+                {name for name in ("nearest", "smooth", "rod", "even") if chosen[name] not in (None, False)}
             )
         (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
         finished = None if record is None else FinishedStrip.read(record, requested.curve)
     if finished is None:
         needs = dict.fromkeys(("gravity", "thickness", "max_width", "settings"), ("sheet",))
-        refuse_idle(needs | {"sheet": ("max_width", "gravity", "settings")})
+        refuse_idle(needs | {"sheet": ("max_width", "gravity", "settings", "rod")})
     has_weight = finished is not None and finished.spec.gravity
     if not has_weight:
-        refuse_idle({"down": ("gravity", "point_mass")})
+        refuse_idle({"down": ("gravity", *LOADS)})
     settings = parsed_settings(chosen["settings"], BentKeys)
     _refuse_uncompensated(settings, finished)
     strip = (
@@ -187,6 +210,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         if finished is None
         else _with_changes(finished, chosen, settings).make()
     )
+    down = chosen["down"] or (0.0, -1.0)
+    if strip is not None and strip.rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
+        strip = with_weight(strip, strip.sheet.gravity(down) if chosen["gravity"] else None)
     rod = _initial_rod(requested, chosen) if strip is None else strip.rod
     before = rod if strip is None else strip.rod_to_bend
     if chosen["release"] and not rod.between:
@@ -195,7 +221,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         )
     if chosen["side"] is not None and np.ptp(before.angle) > STRAIGHT_RAD:
         raise InputError("--side has no effect, because the strip is not straight. Leave it out.")
-    present = Supports() if finished is None else rod.supports
+    present = rod.supports
     stays = chosen["start"] is None and chosen["end"] is None
     if curve is None and chosen["tie"] and stays:
         # the ends are free, because held ends could not follow the cord
@@ -284,14 +310,10 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
 def _initial_strip(
     requested: RequestedCurve | None, chosen: Chosen, settings: dict[str, Any]
 ) -> Strip | None:
-    if chosen["sheet"] is None or not (settings or chosen["max_width"] is not None):
+    if chosen["sheet"] is None or not (settings or chosen["max_width"] or chosen["rod"]):
         return None
-    if requested is None:
-        sheet, widest = requested_sheet(chosen), chosen["max_width"]
-        rod = Rod.straight(
-            chosen["straight"], gravity=_gravity(chosen), section=PlainSection.as_plate(sheet, widest)
-        )
-        return Strip(rod, sheet, max_width=widest)
+    if requested is None or chosen["rod"] or chosen["even"]:
+        return _even_strip(requested, chosen)
     table = given_of(chosen, ("sheet", "thickness", "max_width", "smooth"))
     table |= {"limits": {}} if chosen["nearest"] else {}
     table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
@@ -301,10 +323,25 @@ def _initial_strip(
     return spec.make(_solve(spec.rod_spec))
 
 
+def _even_strip(requested: RequestedCurve | None, chosen: Chosen) -> Strip:
+    """Return a straight strip or rod, or the even bow of the curve. Without a size, its diameter is 1 mm."""
+    widest = chosen["max_width"]
+    size = chosen["rod"] or (None if widest else 1.0)
+    sheet, fields = material_and_section(
+        {**chosen, "rod": size and (size, size), "max_width": widest, "min_width": widest}
+    )
+    if requested is not None:
+        return bow(requested.curve, sheet, label=requested.label, **fields).strip
+    section = fields.pop("section", None) or PlainSection.as_plate(sheet, widest)
+    return Strip(Rod.straight(chosen["straight"], section=section), sheet, **fields)
+
+
 def _initial_rod(requested: RequestedCurve | None, chosen: Chosen) -> Rod:
     smooth, gravity = chosen["smooth"], _gravity(chosen)
     if requested is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
+    if chosen["rod"] or chosen["even"]:
+        return replace(_even_strip(requested, chosen).rod, gravity=gravity)
     limits = Limits() if chosen["nearest"] else None
     drawn = requested.curve if limits else requested.bendable(smooth)
     return accepted_rod(_solve(RodSpec(drawn, gravity, smooth=smooth, limits=limits)))
@@ -336,10 +373,12 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, A
         change["between"] = tuple(_with_shorter_cord(action, chosen["shorten"]) for action in actions)
     loads = elements_of(chosen, LOADS)
     if loads and strip is None:
-        raise InputError("Loads in newtons or grams need a strip with its size. Add --sheet and --max-width.")
+        raise InputError(
+            "Loads in newtons or grams need a strip with its size. Add --sheet, and --max-width or --rod."
+        )
     if loads:
         change["loads"] = loads
-    if chosen["point_mass"] and rod.gravity is None and strip is not None:
+    if loads and rod.gravity is None and strip is not None:
         change["gravity"] = strip.sheet.gravity(chosen["down"] or (0.0, -1.0))
     return change
 

@@ -134,7 +134,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
       elastica bow arch.dxf --sheet pom-2 --max-width 20 --nearest    a strip
     """
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
-    sheet, fields = _material(chosen)
+    sheet, fields = material_and_section(chosen)
     drawn = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
     near = fields | room_for_hole(chosen["hole"], sheet, **fields)
     suggest_later(lambda _: StripSpec(drawn, sheet, supports=ENDS, **near), typed_change, ["nearest"])
@@ -161,8 +161,11 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     wrote(written, contents)
 
 
-def _material(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
-    """Return the material and its options. Without --sheet, the modulus is 1 GPa, for forces in N per GPa."""
+def material_and_section(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
+    """Return the material and the fields of `bow`.
+
+    Without --sheet, the modulus is 1 GPa, for forces in N per GPa.
+    """
     strip = ("max_width",)
     refuse_idle({"thickness": ("sheet",), "hole": strip, "min_width": strip, "max_width": ("sheet",)})
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]

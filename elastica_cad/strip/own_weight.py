@@ -27,15 +27,26 @@ COLLAPSES = (
 )
 
 
+def _weight(strip: Strip, share: float = 1.0) -> Weight:
+    section, parameter = strip.layout.section_at(strip.rod.s)
+    return Weight(alpha=Profile.interpolate(strip.rod.s, share * section.weight_per_length(parameter)))
+
+
+def with_weight(strip: Strip, gravity: Gravity | None = None) -> Strip:
+    """Return a strip that was designed without weight, with its weight per length for `bend_strip`.
+
+    The weight acts as soon as the rod has gravity. Its size does not depend on the length of the `Gravity`.
+    """
+    return strip.bent_as(replace(strip.rod_to_bend, gravity=gravity, weight=_weight(strip)))
+
+
 def bent_under(
     strip: Strip, gravity: Gravity | None, loads: Sequence[PointMass | PointForce] = (), fraction: float = 1.0
 ) -> Rod | None:
     """Return the rest shape under a fraction of weight and loads, or None if the strip loses its stability."""
     rod, weight = strip.rod, None
     if gravity is not None:
-        share = fraction * (strip.sheet.elasto_gravity_length / gravity.length) ** 3
-        section, parameter = strip.layout.section_at(rod.s)
-        weight = Weight(alpha=Profile.interpolate(rod.s, share * section.weight_per_length(parameter)))
+        weight = _weight(strip, fraction * (strip.sheet.elasto_gravity_length / gravity.length) ** 3)
     heavy = replace(
         rod, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness, warnings=()
     )

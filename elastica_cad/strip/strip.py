@@ -573,10 +573,13 @@ class Strip:
         return self.layers[0].holes
 
     def bent_as(self, rod: Rod) -> "Strip":
-        """Return the strip with the same cut in another shape, such as a step of `bend_strip`, under its loads."""
+        """Return the strip with the same cut in another shape, such as a step of `bend_strip`, under its loads.
+
+        `rod` is `rod_to_bend`, or the result of `bend` for it. The new strip can be bent further from this shape.
+        """
         bent = object.__new__(type(self))
         vars(bent).update({field.name: getattr(self, field.name) for field in fields(self)})
-        vars(bent).update(rod=rod, layout=self.layout, _unloaded=None)
+        vars(bent).update(rod=rod, rod_to_bend=rod, layout=self.layout, _unloaded=None)
         return bent
 
     def labelled(self, label: str) -> "Strip":

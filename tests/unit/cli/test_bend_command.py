@@ -73,9 +73,9 @@ def test_a_straight_strip_buckles_to_the_side_requested(tmp_path):
         ),
         (
             ("--straight", 900, "--to", 800, 0, "--sheet", "carbon-rod-4", "--max-width", 4),
-            "is a rod, so no flat",
+            "is a rod, so no",
         ),
-        (("--straight", 900, "--to", 800, 0, "--sheet", "glass-rod-2", "--gravity"), "is a rod, so no flat"),
+        (("--straight", 900, "--to", 800, 0, "--sheet", "glass-rod-2", "--gravity"), "is a rod, so no"),
         (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "The rod is free to move along"),
         (("--straight", -1), "rod length is -1"),
         (("none.dxf",), "cannot be read"),
