@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._text import file_word
 from elastica_cad.cli.bow_command import material_and_section
-from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of
+from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of, load_rows
 from elastica_cad.cli.options import (
     LENGTH,
     POINT,
@@ -49,11 +49,9 @@ from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change
-from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
+from elastica_cad.mechanics.elements import NOUNS, ElementForce, Tie
 from elastica_cad.mechanics.loads import (
-    STANDARD_GRAVITY_M_S2,
     Gravity,
-    PointMass,
     Supports,
     require_supports,
 )
@@ -64,7 +62,7 @@ from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import require_flat
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.model.bows import bow
-from elastica_cad.refusals import Energy, Force, Mass, Moment, Point, Strain, note, number_text
+from elastica_cad.refusals import Energy, Force, Moment, Point, Strain, note, number_text
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.own_weight import with_weight
@@ -473,7 +471,7 @@ def _rows(
     (x0, y0), (x1, y1) = np.round(last.position[[0, -1]], 2) + 0.0
     yield Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing")
     if moved is not None and (last.acting or change):
-        yield from _load_rows(change.get("loads", ()), weight=last.gravity is not None)
+        yield from load_rows(change.get("loads", ()), weight=last.gravity is not None)
         yield _displacement_row(moved, released=change.get("between") == ())
         yield from between_rows(last, moved.strip.bending_stiffness)
         worst = int(np.argmin(moved.safety))
@@ -518,20 +516,6 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
             "{command}, and run `elastica bend` on the report.",
             point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
         )  # fmt: skip
-
-
-def _load_rows(loads: Sequence[PointMass | PointForce], *, weight: bool) -> Iterator[Row]:
-    texts = []
-    for load in loads:
-        at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
-        if isinstance(load, PointMass):
-            newtons = Force(load.mass * 1e-3 * STANDARD_GRAVITY_M_S2)
-            texts.append(f"{Mass(load.mass):g} at {at} ({newtons})")
-        else:
-            x, y = load.force
-            texts.append(f"({x:g}, {y:g}) N at {at}")
-    if texts:
-        yield Row("Load", "; ".join([*texts, *(["the weight of the strip"] if weight else [])]))
 
 
 def _displacement_row(moved: Travel, *, released: bool) -> Row:

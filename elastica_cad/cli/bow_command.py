@@ -1,6 +1,6 @@
 """`elastica bow`: a rod or strip bent by a cord between its ends."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 from math import isclose
 from pathlib import Path
@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad._values import plain_data
+from elastica_cad.cli.element_options import LOADS, element_options, elements_of, load_rows
 from elastica_cad.cli.options import (
     LENGTH,
     Chosen,
@@ -41,7 +42,7 @@ from elastica_cad.refusals import Force, Length, Strain, number_text
 from elastica_cad.report_rows import Row, in_order, printed_table, warning_row
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import cut_rows, size_row, strain_rows
+from elastica_cad.strip.summary import cut_rows, farthest_move, size_row, strain_rows
 from elastica_cad.strip.travel import Travel
 
 MPA_PER_GPA = 1000.0
@@ -116,6 +117,7 @@ class Shortening(click.ParamType):  # type: ignore[type-arg]  # no generic class
     help="Row of the table, with the cord shorter by this percentage, or by this length with its "
     "unit, such as 50mm; repeatable; replaces the default rows  [default: 2 5 10 20]",
 )
+@element_options(LOADS)
 @output_options
 def bow_command(curve: Path, **chosen: Any) -> None:
     """Find the rod or strip that a cord bends into a curve.
@@ -125,11 +127,13 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     within limits, or a strip with --max-width alone, gets the taper that bends exactly into CURVE. CURVE must
     then run straight at both ends. A table lists pull, rise, strain and safety for shorter cords. Writes
     NAME-bow.csv (that table), NAME-bow.json, NAME-bow.png (needs matplotlib), and for a taper or a strip the
-    drawing NAME-bow.dxf and NAME-bow.svg. The weight of the bow is neglected.
+    drawing NAME-bow.dxf and NAME-bow.svg. The weight of the bow is neglected, unless --point-mass or --point-force
+    loads the bow: the ends then stand at the distance of the cord, and y is upward.
 
     \b
       elastica bow arch.dxf --rod 8                                   pull of glass and carbon rods
       elastica bow arch.dxf --rod 8 --sheet gfrp-1 -o out             newtons and safety
+      elastica bow arch.dxf --rod 8 --sheet gfrp-1 --point-mass 200 1kg   sag and safety under a load
       elastica bow arch.dxf --rod 6:8 --sheet gfrp-1 --nearest        a tapered rod
       elastica bow arch.dxf --sheet pom-2 --max-width 20 --nearest    a strip
     """
@@ -142,6 +146,8 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     fractions = [0.0, *sorted({part + mm / result.cord for part, mm in chosen["shorter"]} or SHORTER)]
     shorter = result.shortened(fractions)
     in_newtons = chosen["sheet"] is not None
+    loads = elements_of(chosen, LOADS)
+    loaded = _loaded_report(result, result.under(loads)) if loads else None
     table = _table(fractions, shorter, in_newtons=in_newtons)
     report = {
         "length_mm": Length(result.length), "cord_mm": Length(result.cord), "rise_mm": Length(result.rise),
@@ -151,11 +157,13 @@ def bow_command(curve: Path, **chosen: Any) -> None:
         "ratio": result.strip.rod.ratio, "max_strain": Strain(result.strip.max_strain),
         "strain_limit": Strain(result.strip.strain_limit) if in_newtons else None,
         "margin": stability(result.strip.rod).margin, "warnings": list(result.strip.warnings) if in_newtons else [],
-        "shorter": plain_data(table),
+        "shorter": plain_data(table), "loaded": loaded,
     }  # fmt: skip
     written = _write(result, shorter, table, report, requested.name, chosen)
     answer({"bow": report})
     say_rows(*in_order(_rows(result, report)))
+    if loaded is not None:
+        say_rows(*load_rows(loads, weight=True), *_loaded_rows(loaded))
     _print_table(table)
     contents = {".csv": "the table", ".json": "all numbers and the curve", ".dxf": "drawing at full size"}
     wrote(written, contents)
@@ -166,8 +174,8 @@ def material_and_section(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
 
     Without --sheet, the modulus is 1 GPa, for forces in N per GPa.
     """
-    strip = ("max_width",)
-    refuse_idle({"thickness": ("sheet",), "hole": strip, "min_width": strip, "max_width": ("sheet",)})
+    needs = dict.fromkeys(("thickness", "max_width", *LOADS), ("sheet",))
+    refuse_idle(needs | dict.fromkeys(("hole", "min_width"), ("max_width",)))
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]
     if (rod is None) == (widest is None):
         raise InputError(
@@ -221,6 +229,31 @@ def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
     reported = {*strip.strain_warnings}
     warnings = [warning_row(text) for text in strip.warnings if text not in reported]
     return [*rows, *strain_rows(strip), *cut_rows(result.pattern), *warnings]
+
+
+def _loaded_report(result: Bow, loaded: Travel) -> dict[str, Any]:
+    (distance, at, direction), (x, y) = farthest_move(result.strip.rod, loaded.rods[0]), loaded.end_force[0]
+    along = result.strip.rod.chord / result.cord
+    return {
+        "moved_mm": Length(distance), "moved_at_mm": Length(at), "moved_to": direction,
+        "pull_N": Force(-(x * along[0] + y * along[1])), "max_strain": Strain(loaded.strain[0]),
+        "safety": float(loaded.safety[0]), "margin": loaded.verdicts[0].margin, "warnings": list(loaded.warnings),
+    }  # fmt: skip
+
+
+def _loaded_rows(loaded: Mapping[str, Any]) -> Iterator[Row]:
+    yield Row(
+        "Movement",
+        f"under the loads, the bow moves by at most {loaded['moved_mm']:.2g}: the point "
+        f"{loaded['moved_at_mm']:.0f} along it, {loaded['moved_to']}",
+    )
+    pull = loaded["pull_N"]
+    slack = "slack under the loads, because the ends move towards each other. Reduce the loads."
+    yield Row("Cord", f"under the loads, pulls with {pull}") if pull > 0 else warning_row(slack, "Cord")
+    yield Row(
+        "Strain", f"under the loads, at most {loaded['max_strain']}, safety {number_text(loaded['safety'])}"
+    )
+    yield from map(warning_row, loaded["warnings"])
 
 
 def _curve_row(result: Bow, far: Length) -> Row:

@@ -17,12 +17,13 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.cross_sections import RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.elements import ElementForce, Tie
-from elastica_cad.mechanics.loads import Supports, require_curve
+from elastica_cad.mechanics.elements import ElementForce, PointForce, Tie
+from elastica_cad.mechanics.loads import PointMass, Supports, require_curve
 from elastica_cad.mechanics.rod import Rod, camber_of
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.own_weight import with_weight
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import DOWN, make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
@@ -111,6 +112,11 @@ class Bow:
                     percent=100 * share,
                 )
         return bend_strip(self.strip, [rod.position[0] + (1 - share) * rod.chord for share in shares])
+
+    def under(self, loads: Sequence[PointMass | PointForce]) -> Travel:
+        """Return the bow under its weight and loads. Its ends stand at the distance of the cord; -y is down."""
+        strip = with_weight(self.strip)
+        return bend_strip(strip, [{"loads": loads, "gravity": strip.sheet.gravity()}])
 
 
 def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: Any) -> Bow:

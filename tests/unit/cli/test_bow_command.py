@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from elastica_cad import PlaneCurve, read_curves, write_curves
+from elastica_cad import PlaneCurve, Sheet, read_curves, write_curves
 from tests.command_line import run
 
 ARCH = [(0, 0), (60, 300), (400, 420), (740, 300), (800, 0)]
@@ -65,6 +65,33 @@ def test_a_cord_is_shortened_by_a_percentage_or_a_length(arch):
     table = record(arch, "--rod", 8, *shorter)["shorter"]
     assert table["cord_mm"] == pytest.approx([800, 760, 750, 740])
     assert table["shorter_percent"] == pytest.approx([0, 5, 6.25, 7.5])
+
+
+@pytest.mark.parametrize("load", [("--point-mass", 400, "50g"), ("--point-force", "400,420", 0.1, -0.4)])
+def test_a_loaded_bow_is_the_even_rod_between_hinges_at_the_distance_of_its_cord(arch, load):
+    """Its cord pulls with the force along it at the end; the weight acts too."""
+    words = ("--rod", 8, "--sheet", "pom-2", *load)
+    loaded = record(arch, *words)["loaded"]
+    done = run("bend", "arch.json", *words, "-o", "out", "--force", "--json", cwd=arch)
+    bent = json.loads(done.stdout)
+    travel = bent["travel"]
+    assert loaded["pull_N"] == pytest.approx(-travel["end_force_x_N"][0], rel=1e-6)
+    assert loaded["moved_mm"] == pytest.approx(travel["displacement_mm"][0], rel=1e-6)
+    assert loaded["safety"] == pytest.approx(travel["safety"][0], rel=1e-6)
+    weight = Sheet.named("pom-2").specific_weight * np.pi * 4**2 * bent["length"]
+    load_y = 0.4 if "--point-force" in load else 0.05 * 9.80665
+    assert travel["start_force_y_N"][0] + travel["end_force_y_N"][0] == pytest.approx(load_y + weight)
+
+
+def test_loads_of_a_bow_are_printed_and_a_slack_cord_is_a_warning(arch):
+    words = ("bow", "arch.json", "--rod", 8, "--sheet", "pom-2", "-o", "out", "--force")
+    done = run(*words, "--point-mass", 400, 50, cwd=arch)
+    assert "50 g at 400 mm (0.49 N); the weight of the strip" in done.stdout
+    assert "Cord        under the loads, pulls with" in done.stdout
+    done = run(*words, "--point-force", 600, 0, 40, cwd=arch)
+    assert "slack under the loads" in done.stderr
+    done = run("bow", "arch.json", "--rod", 8, "--point-mass", 400, 50, cwd=arch, code=2)
+    assert "--point-mass has no effect without --sheet" in done.stderr
 
 
 @pytest.mark.parametrize("stock", [("--rod", "5:9", "--sheet", "pom-2"), STRIP])
