@@ -23,6 +23,7 @@ from elastica_cad.cli.options import (
     requested_sheet,
     sheet_options,
     smooth_option,
+    typed_options,
 )
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
@@ -37,7 +38,14 @@ from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import spec_from_options, with_settings
 from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.design.records import Reader, fields_of
-from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request
+from elastica_cad.design.strip_request import (
+    SOLVED,
+    FinishedStrip,
+    read_bent,
+    read_request,
+    rod_record,
+    strip_record,
+)
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.limits import Limits
@@ -149,11 +157,13 @@ from elastica_cad.strip.travel import Travel, bend_strip
 def bend_command(curve: Path | None, **chosen: Any) -> None:
     """Bend a strip to other ends, or load it, and compute its forces.
 
-    CURVE is a drawing, or the report of a strip. Without it, --straight gives the length of a straight strip.
+    CURVE is a drawing, the report of a strip, or a bent strip, NAME-bent.json, whose supports, elements and loads
+    stay. Without it, --straight gives the length of a straight strip.
 
     \b
       elastica bend arch.dxf --to 350 0                        the arch with its ends 50 mm closer
       elastica bend out/arch.json --to 350 0                   the same from the report of `elastica strip`
+      elastica bend arch-bent.json --to 340 0 -o next          from the last shape on
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
       elastica bend --straight 1200 --tie 240 960 --shorten 100 --side left          a batten under a cord
 
@@ -167,15 +177,16 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     \b
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
 
-    Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, for
-    `elastica`) and NAME-bent.png. With --sheet and --max-width it also writes NAME-travel.csv: forces and moments
-    at the ends, energy, strain, stress and safety at every step. NAME-travel.png shows all shapes, if there is
-    more than one step. The strip is then made as in `elastica strip`; --set sets its other keys, such as --set
-    style.kind=perforated. A report sets sheet, section, widths and supports, and options replace them. --rail,
-    --pin and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads.
-    With one of these loads, the weight of the strip acts too. A rail or pin at a point beside the strip, at most
-    5 % of its length away, moves the strip there. With --rod or --even, the strip is the even bow with the length
-    and ends of CURVE, as in `elastica bow`.
+    Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the bent strip
+    with its supports, elements and loads, and the curves, for `elastica`) and NAME-bent.png. With --sheet and
+    --max-width it also writes NAME-travel.csv: forces and moments at the ends, energy, strain, stress and safety
+    at every step. NAME-travel.png shows all shapes, if there is more than one step. The strip is then made as in
+    `elastica strip`; --set sets its other keys, such as --set style.kind=perforated. A report sets sheet,
+    section, widths and supports, and options replace them. --rail, --pin and --tie replace all rails, pins and
+    ties of the strip, and --point-force and --point-mass its loads. With one of these loads, the weight of the
+    strip acts too. A rail or pin at a point beside the strip, at most 5 % of its length away, moves the strip
+    there. With --rod or --even, the strip is the even bow with the length and ends of CURVE, as in `elastica
+    bow`.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(
@@ -186,32 +197,13 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         "straight": ("number", "layer", "unit", "even", *drawn), "rod": ("max_width", "thickness", "even", *drawn),
         "even": drawn,
     })  # fmt: skip
-    requested, finished = None, None
-    if curve is not None:
-        record = read_request(curve)
-        if record is not None:
-            _refuse_curve_options(
-                {name for name in ("nearest", "smooth", "rod", "even") if chosen[name] not in (None, False)}
-            )
-        (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
-        finished = None if record is None else FinishedStrip.read(record, requested.curve)
-    if finished is None:
-        needs = dict.fromkeys(("gravity", "thickness", "max_width", "settings"), ("sheet",))
-        refuse_idle(needs | {"sheet": ("max_width", "gravity", "settings", "rod")})
-    has_weight = finished is not None and finished.spec.gravity
-    if not has_weight:
-        refuse_idle({"down": ("gravity", *LOADS)})
-    settings = parsed_settings(chosen["settings"], BentKeys)
-    _refuse_uncompensated(settings, finished)
-    strip = (
-        _initial_strip(requested, chosen, settings)
-        if finished is None
-        else _with_changes(finished, chosen, settings).make()
-    )
+    bent = None if curve is None else read_request(curve, "bent")
+    strip, rod = _initial_shape(curve, chosen) if bent is None else _bent_shape(bent)
+    designed = bent["strip"] if bent else strip and strip_record(strip)
     down = chosen["down"] or (0.0, -1.0)
-    if strip is not None and strip.rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
+    if strip is not None and rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
         strip = with_weight(strip, strip.sheet.gravity(down) if chosen["gravity"] else None)
-    rod = _initial_rod(requested, chosen) if strip is None else strip.rod
+        rod = strip.rod
     before = rod if strip is None else strip.rod_to_bend
     if chosen["release"] and not rod.between:
         raise InputError(
@@ -229,11 +221,11 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)),
     )
     if curve is not None and supports != rod.supports:
-        designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
+        held = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
         now = ", ".join(
             f"its {end} {chosen[f'hold_{end}']}" for end in ("start", "end") if chosen[f"hold_{end}"]
         )
-        say(f"the strip is designed for {curve.name} {designed}, and here bent with {now}")
+        say(f"the strip is designed for {curve.name} {held}, and here bent with {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
     name = "straight" if curve is None else file_word(curve.stem)
     moved = None
@@ -259,9 +251,60 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
                      "unit": moved.unit}  # fmt: skip
     answer(answered)
     wrote(
-        _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]),
-        {f"{name}-travel.csv": "the table", f"{name}-bent.csv": "points", f"{name}-bent.json": "curves"},
+        _write_files(name, rod, shapes, moved, designed, chosen),
+        {
+            f"{name}-travel.csv": "the table",
+            f"{name}-bent.csv": "points",
+            f"{name}-bent.json": "the bent strip",
+        },
     )
+
+
+def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Rod]:
+    """Return the strip, or None without its size, and the rod as they are designed."""
+    requested, finished = None, None
+    if curve is not None:
+        record = read_request(curve)
+        if record is not None:
+            _refuse_curve_options(
+                {name for name in ("nearest", "smooth", "rod", "even") if chosen[name] not in (None, False)}
+            )
+        (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+        finished = None if record is None else FinishedStrip.read(record, requested.curve)
+    if finished is None:
+        needs = dict.fromkeys(("gravity", "thickness", "max_width", "settings"), ("sheet",))
+        refuse_idle(needs | {"sheet": ("max_width", "gravity", "settings", "rod")})
+    if finished is None or not finished.spec.gravity:
+        refuse_idle({"down": ("gravity", *LOADS)})
+    settings = parsed_settings(chosen["settings"], BentKeys)
+    _refuse_uncompensated(settings, finished)
+    strip = (
+        _initial_strip(requested, chosen, settings)
+        if finished is None
+        else _with_changes(finished, chosen, settings).make()
+    )
+    return strip, _initial_rod(requested, chosen) if strip is None else strip.rod
+
+
+def _bent_shape(record: Any) -> tuple[Strip | None, Rod]:
+    """Return the strip, or None, and the rod of an earlier `elastica bend` in their last shape."""
+    strip, rod = read_bent(record)
+    heavy = () if strip is not None and rod.gravity is None else ("gravity", "down")
+    typed = typed_options()
+    for name in typed.keys() & {*DESIGNED, *heavy}:
+        raise InputError(
+            "The strip is already bent, so {option} has no effect. Leave it out, or bend the report of "
+            "`elastica strip`.",
+            option=typed[name],
+        )
+    refuse_idle({"down": ("gravity", *LOADS)})
+    return strip, rod
+
+
+DESIGNED = (
+    "unit", "number", "layer", "smooth", "nearest", "sheet", "thickness", "max_width", "rod", "even", "settings",
+)  # fmt: skip
+"""Options that determine the strip before it is bent."""
 
 
 def _refuse_uncompensated(settings: Mapping[str, Any], finished: FinishedStrip | None) -> None:
@@ -507,7 +550,8 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
     """Yield a warning if a rail pushes a straight strip down, because the rail's point is below the strip."""
     at, direction = getattr(action.element, "at", None), action.bar_direction(shape.curve)
     gravity = shape.gravity
-    if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:
+    straight = rod.shape is None and np.ptp(rod.angle) <= STRAIGHT_RAD
+    if not straight or not isinstance(at, tuple) or direction is None or gravity is None:
         return
     if direction @ gravity.direction < 0:
         yield note(
@@ -576,11 +620,12 @@ def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[
 
 
 def _write_files(
-    name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, output: Path, force: bool
+    name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, designed: Any, chosen: Chosen
 ) -> tuple[Path, ...]:
+    bent = {"strip": designed, "rod": rod_record(shapes[-1])}
     files = [
         File(f"{name}-bent.csv", partial(_write_shapes, shapes)),
-        text_file(f"{name}-bent.json", curves_json([shape.curve for shape in shapes])),
+        text_file(f"{name}-bent.json", curves_json([shape.curve for shape in shapes], bent=bent)),
     ]
     if can_draw():
         from elastica_cad.plot.canvas import save_figure
@@ -595,7 +640,7 @@ def _write_files(
         files.append(text_file(f"{name}-travel.csv", moved.csv()))
         if can_draw() and shapes[1:]:
             files.append(File(f"{name}-travel.png", lambda path: save_figure(draw_travel(moved), path)))
-    return write_files(files, output, force=force)
+    return write_files(files, chosen["output"], force=chosen["force"])
 
 
 def _write_shapes(shapes: Sequence[Rod], path: Path) -> None:

@@ -28,8 +28,8 @@ from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.form_finding.limits import FAR_SHARE, Limits
-from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
-from elastica_cad.formats.write_files import File, text_file, write_files, write_json
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.cross_sections import RoundLaw
@@ -328,10 +328,9 @@ def _write(
     A round rod has no drawing.
     """
     stem, strip = f"{name}-bow", result.strip
-    curves = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(strip.rod.curve)]}
     files = [
         text_file(f"{stem}.csv", csv_text(table)),
-        File(f"{stem}.json", lambda path: write_json(path, curves | report)),
+        text_file(f"{stem}.json", curves_json([strip.rod.curve], **report)),
     ]
     rod = chosen["rod"]
     if rod is None or rod[0] < rod[1]:

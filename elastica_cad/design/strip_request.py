@@ -1,7 +1,8 @@
 """JSON record in the report of a finished strip, from which the strip can be made again."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
@@ -15,7 +16,8 @@ from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.cross_sections import LaidLeaves, LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.elements import PointForce
+from elastica_cad.mechanics.discrete_rod import Compression
+from elastica_cad.mechanics.elements import ElementForce, Mount, PointForce
 from elastica_cad.mechanics.loads import Weight, nodal_curvature
 from elastica_cad.mechanics.optimal_balance import carried_weight, refuse_below_limits
 from elastica_cad.mechanics.rod import Rod
@@ -43,7 +45,12 @@ def _records_in(kind: Any, found: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-RECORDS = _records_in(StripSpec | LaidLeaves, {"WidthLaw": PlainSection})
+NODAL: dict[str, Any] = {"Rod": Rod, "ElementForce": ElementForce, "Compression": Compression}
+"""Records of a bent strip whose lists of numbers are arrays."""
+
+RECORDS = _records_in(StripSpec | LaidLeaves, {
+    "WidthLaw": PlainSection, "PlaneCurve": PlaneCurve, "Strip": Strip, "Mount": Mount, **NODAL,
+})  # fmt: skip
 """Record classes in a request, by their names in a report. A name does not change with its class."""
 
 STIFFNESS_TOLERANCE = 1e-6
@@ -72,16 +79,11 @@ class FinishedStrip:
     @classmethod
     def read(cls, record: Any, curve: PlaneCurve) -> "FinishedStrip":
         """Read the record of `request_record` in a report whose rest shape is `curve`."""
-        try:
+        with _as_input_error("request"):
             values = _decoded(with_present_keys(dict(record)))
             stiffness, scale = values.pop("stiffness"), values.pop("bending_stiffness")
             spec = StripSpec(curve, smooth=0.0, straight_ends=False, ignore_limits=True, **values)
             return cls(spec, stiffness, scale)
-        except (ElasticaError, KeyError, TypeError, ValueError) as problem:
-            raise InputError(
-                "The record `request` of the report cannot be read ({problem}). Make the report again.",
-                problem=str(problem),
-            ) from problem
 
     def changed(self, **fields: Any) -> "FinishedStrip":
         """Return the strip with other values of some fields of its request, and with the same stiffness.
@@ -159,8 +161,8 @@ def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
 
-def read_request(path: Path) -> Any:
-    """Return the record `request` of the report in a file, or None if there is none."""
+def read_request(path: Path, key: str = "request") -> Any:
+    """Return the record `request`, or another record, of the report in a file, or None if there is none."""
     if path.suffix.lower() != ".json":
         return None
     try:
@@ -168,7 +170,49 @@ def read_request(path: Path) -> Any:
     # the reader of curves reports the error later
     except (OSError, ValueError, RecursionError):
         return None
-    return data.get("request") if isinstance(data, dict) else None
+    return data.get(key) if isinstance(data, dict) else None
+
+
+BENT_FIELDS = ("sheet", "max_width", "min_width", "style", "ends", "slots", "correction")
+"""Fields of a `Strip` that determine how it bends, besides its rod."""
+
+
+def strip_record(strip: Strip) -> dict[str, Any]:
+    """Return a strip before its ends are moved as plain data for JSON, for `read_bent`."""
+    values = {name: _as_json(getattr(strip, name)) for name in BENT_FIELDS}
+    return values | {"record": "Strip", "rod": rod_record(strip.rod)}
+
+
+def rod_record(rod: Rod) -> dict[str, Any]:
+    """Return a rod as plain data for JSON, without its law, which follows from its strip."""
+    shape = None if rod.shape is None else replace(rod.shape, provenance=None)
+    record: dict[str, Any] = _as_json(replace(rod, law=None, check=None, warnings=(), shape=shape))
+    return record
+
+
+def read_bent(record: Any) -> tuple[Strip | None, Rod]:
+    """Read the strip, or None, and the rod from the records of `strip_record` and `rod_record`.
+
+    The strip has the shape of the rod, and can be bent further.
+    """
+    with _as_input_error("bent"):
+        strip, rod = _decoded(record["strip"]), _decoded(record["rod"])
+        if strip is None:
+            return None, rod
+        bent = strip.bent_as(replace(rod, law=strip.rod_to_bend.following().law))
+        return bent, bent.rod
+
+
+@contextmanager
+def _as_input_error(name: str) -> Iterator[None]:
+    try:
+        yield
+    except (ElasticaError, AttributeError, KeyError, TypeError, ValueError) as problem:
+        raise InputError(
+            "The record `{name}` of the report cannot be read ({problem}). Make the report again.",
+            name=name,
+            problem=str(problem),
+        ) from problem
 
 
 def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
@@ -221,7 +265,15 @@ def _decoded(value: Any) -> Any:
         values = {key: _decoded(item) for key, item in value.items() if key != "record"}
         if value.get("record") == NominalRatio.__name__:
             return NominalRatio(values["value"])
+        if value.get("record") in NODAL:
+            values = {key: _array_of(item) for key, item in values.items()}
         return RECORDS[value["record"]](**values) if "record" in value else values
     if isinstance(value, list):
         return tuple(map(_decoded, value))
     return float(value) if value in ("inf", "-inf") else value
+
+
+def _array_of(value: Any) -> Any:
+    """Return numbers in tuples as an array, and other values unchanged."""
+    is_numeric = isinstance(value, tuple) and bool(value) and isinstance(value[0], float | tuple)
+    return np.array(value) if is_numeric else value

@@ -29,12 +29,16 @@ def curve_record(curve: PlaneCurve) -> dict[str, Any]:
     }
 
 
-def curves_json(curves: Sequence[PlaneCurve]) -> str:
-    """Return the text of a JSON file of curves, from which `read_json_drawing` reads equal curves."""
+def curves_json(curves: Sequence[PlaneCurve], **more: Any) -> str:
+    """Return the text of a JSON file of curves, from which `read_json_drawing` reads equal curves.
+
+    `more` are records for JSON that the file has besides.
+    """
     data = {
         "schema": CURVES_SCHEMA,
         "units": "mm",
         "curves": [curve_record(curve) for curve in several("curves", curves, PlaneCurve, "PlaneCurve")],
+        **more,
     }
     return json.dumps(data, indent=1) + "\n"
 

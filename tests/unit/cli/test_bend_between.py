@@ -147,7 +147,7 @@ def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
 
 def test_the_examples_in_the_help_keep_their_lines():
     lines = run("bend --help").stdout.splitlines()
-    assert sum(line.startswith("    elastica bend ") for line in lines) == 8
+    assert sum(line.startswith("    elastica bend ") for line in lines) == 9
 
 
 def test_a_strip_without_its_elements_snaps(desk):
