@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad._text import file_word
+from elastica_cad._types import FloatArray
 from elastica_cad.cli.bow_command import material_and_section
 from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of, load_rows
 from elastica_cad.cli.options import (
@@ -73,6 +74,7 @@ from elastica_cad.model.bows import bow
 from elastica_cad.refusals import Energy, Force, Moment, Point, Strain, note, number_text
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, printed_table, warning_row
+from elastica_cad.strip.held_shape import Reactions
 from elastica_cad.strip.own_weight import with_weight
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
@@ -200,9 +202,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     bent = None if curve is None else read_request(curve, "bent")
     strip, rod = _initial_shape(curve, chosen) if bent is None else _bent_shape(bent)
     designed = bent["strip"] if bent else strip and strip_record(strip)
-    down = chosen["down"] or (0.0, -1.0)
     if strip is not None and rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
-        strip = with_weight(strip, strip.sheet.gravity(down) if chosen["gravity"] else None)
+        gravity = strip.sheet.gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
+        strip = with_weight(strip, gravity)
         rod = strip.rod
     before = rod if strip is None else strip.rod_to_bend
     if chosen["release"] and not rod.between:
@@ -351,7 +353,7 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
 def _initial_strip(
     requested: RequestedCurve | None, chosen: Chosen, settings: dict[str, Any]
 ) -> Strip | None:
-    if chosen["sheet"] is None or not (settings or chosen["max_width"] or chosen["rod"]):
+    if chosen["sheet"] is None or not (settings or given_of(chosen, ("max_width", "rod"))):
         return None
     if requested is None or chosen["rod"] or chosen["even"]:
         return _even_strip(requested, chosen)
@@ -471,16 +473,35 @@ def _keywords_of_steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
-    """Return the report of a shape. Forces are in N, or in 1/mm2 if `bending_stiffness` is 1."""
+    """Return the report of a shape with all forces on the strip: their sum and the sum of moments are zero.
+
+    Forces are in N, or in 1/mm2 if `bending_stiffness` is 1.
+    """
+    B, nodes, s = bending_stiffness, shape.position, shape.s
+    (start, end), moment, load = B * shape.support_forces, B * shape.moment, norm(B * shape.nodal_load)
+    masses = [
+        _force_report(mass, B, np.column_stack([np.interp(mass.s, s, row) for row in nodes.T]))
+        for mass in shape.hung
+    ]
+    hung = np.array([norm(mass["force"][0]) for mass in masses])
+    own = load.sum() - hung.sum()
+    center = load @ nodes - sum(size * mass["points"][0] for size, mass in zip(hung, masses, strict=True))
     return {
-        "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
-        "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
+        "start": nodes[0], "end": nodes[-1], "angles": shape.angle[[0, -1]],
+        "size": np.ptp(nodes, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
         "stable": verdict.stable, "margin": verdict.margin,
-        "between": [
-            {"kind": NOUNS[type(action.element)], "at": action.s, "force": bending_stiffness * action.force}
-            for action in shape.acting
-        ],
+        "between": [_force_report(action, B, action.points_on(nodes, shape.length)) for action in shape.acting],
+        "masses": masses,
+        "weight": None if shape.gravity is None else {
+            "force": own * np.array(shape.gravity.direction), "center": center / own,
+        },
+        "reactions": Reactions(start, -moment[0], end, moment[-1]),
     }  # fmt: skip
+
+
+def _force_report(action: ElementForce, bending_stiffness: float, points: FloatArray) -> dict[str, Any]:
+    kind = NOUNS[type(action.element)]
+    return {"kind": kind, "at": action.s, "points": points, "force": bending_stiffness * action.force}
 
 
 def _print_shapes(

@@ -232,12 +232,13 @@ def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
 
 
 def _loaded_report(result: Bow, loaded: Travel) -> dict[str, Any]:
-    (distance, at, direction), (x, y) = farthest_move(result.strip.rod, loaded.rods[0]), loaded.end_force[0]
-    along = result.strip.rod.chord / result.cord
+    design = result.strip.rod
+    distance, at, direction = farthest_move(design, loaded.rods[0])
     return {
         "moved_mm": Length(distance), "moved_at_mm": Length(at), "moved_to": direction,
-        "pull_N": Force(-(x * along[0] + y * along[1])), "max_strain": Strain(loaded.strain[0]),
-        "safety": float(loaded.safety[0]), "margin": loaded.verdicts[0].margin, "warnings": list(loaded.warnings),
+        "pull_N": Force(-loaded.end_force[0] @ design.chord / result.cord),
+        "max_strain": Strain(loaded.strain[0]), "safety": float(loaded.safety[0]),
+        "margin": loaded.verdicts[0].margin, "warnings": list(loaded.warnings),
     }  # fmt: skip
 
 
@@ -247,12 +248,15 @@ def _loaded_rows(loaded: Mapping[str, Any]) -> Iterator[Row]:
         f"under the loads, the bow moves by at most {loaded['moved_mm']:.2g}: the point "
         f"{loaded['moved_at_mm']:.0f} along it, {loaded['moved_to']}",
     )
-    pull = loaded["pull_N"]
-    slack = "slack under the loads, because the ends move towards each other. Reduce the loads."
-    yield Row("Cord", f"under the loads, pulls with {pull}") if pull > 0 else warning_row(slack, "Cord")
-    yield Row(
-        "Strain", f"under the loads, at most {loaded['max_strain']}, safety {number_text(loaded['safety'])}"
+    yield (
+        Row("Cord", f"under the loads, pulls with {loaded['pull_N']}")
+        if loaded["pull_N"] > 0
+        else warning_row(
+            "slack under the loads, because the ends move towards each other. Reduce the loads.", "Cord"
+        )
     )
+    safety = number_text(loaded["safety"])
+    yield Row("Strain", f"under the loads, at most {loaded['max_strain']}, safety {safety}")
     yield from map(warning_row, loaded["warnings"])
 
 

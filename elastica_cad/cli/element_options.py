@@ -10,7 +10,7 @@ import click
 from elastica_cad.cli.options import Chosen, Length, join_options, option_name, option_of
 from elastica_cad.declared import REQUIRED, Field, declared
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, PointMass
+from elastica_cad.mechanics.loads import PointMass
 from elastica_cad.refusals import Force
 from elastica_cad.refusals import Mass as Grams
 from elastica_cad.report_rows import Row
@@ -133,8 +133,7 @@ def load_rows(loads: Iterable[PointMass | PointForce], *, weight: bool) -> Itera
     for load in loads:
         at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
         if isinstance(load, PointMass):
-            newtons = Force(load.mass * 1e-3 * STANDARD_GRAVITY_M_S2)
-            texts.append(f"{Grams(load.mass):g} at {at} ({newtons})")
+            texts.append(f"{Grams(load.mass):g} at {at} ({Force(load.newtons)})")
         else:
             x, y = load.force
             texts.append(f"({x:g}, {y:g}) N at {at}")

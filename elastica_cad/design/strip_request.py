@@ -173,21 +173,18 @@ def read_request(path: Path, key: str = "request") -> Any:
     return data.get(key) if isinstance(data, dict) else None
 
 
-BENT_FIELDS = ("sheet", "max_width", "min_width", "style", "ends", "slots", "correction")
-"""Fields of a `Strip` that determine how it bends, besides its rod."""
-
-
 def strip_record(strip: Strip) -> dict[str, Any]:
-    """Return a strip before its ends are moved as plain data for JSON, for `read_bent`."""
-    values = {name: _as_json(getattr(strip, name)) for name in BENT_FIELDS}
-    return values | {"record": "Strip", "rod": rod_record(strip.rod)}
+    """Return all that determines how a strip bends as plain data for JSON, for `read_bent`."""
+    names = ("sheet", "max_width", "min_width", "style", "ends", "slots", "correction")
+    return {name: _as_json(getattr(strip, name)) for name in names} | {
+        "record": "Strip", "rod": rod_record(strip.rod),
+    }  # fmt: skip
 
 
-def rod_record(rod: Rod) -> dict[str, Any]:
+def rod_record(rod: Rod) -> Any:
     """Return a rod as plain data for JSON, without its law, which follows from its strip."""
     shape = None if rod.shape is None else replace(rod.shape, provenance=None)
-    record: dict[str, Any] = _as_json(replace(rod, law=None, check=None, warnings=(), shape=shape))
-    return record
+    return _as_json(replace(rod, law=None, check=None, warnings=(), shape=shape))
 
 
 def read_bent(record: Any) -> tuple[Strip | None, Rod]:
@@ -266,14 +263,13 @@ def _decoded(value: Any) -> Any:
         if value.get("record") == NominalRatio.__name__:
             return NominalRatio(values["value"])
         if value.get("record") in NODAL:
-            values = {key: _array_of(item) for key, item in values.items()}
+            values = {
+                key: np.array(item)
+                if isinstance(item, tuple) and isinstance((*item, None)[0], float | tuple)
+                else item
+                for key, item in values.items()
+            }
         return RECORDS[value["record"]](**values) if "record" in value else values
     if isinstance(value, list):
         return tuple(map(_decoded, value))
     return float(value) if value in ("inf", "-inf") else value
-
-
-def _array_of(value: Any) -> Any:
-    """Return numbers in tuples as an array, and other values unchanged."""
-    is_numeric = isinstance(value, tuple) and bool(value) and isinstance(value[0], float | tuple)
-    return np.array(value) if is_numeric else value

@@ -458,6 +458,12 @@ class ElementForce:
         """Magnitude of the force over the least bending stiffness, 1/mm2; for a tie, its pull."""
         return float(norm(self.force[0]))
 
+    def points_on(self, nodes: FloatArray, length: float) -> FloatArray:
+        """Return the points (k, 2), mm, at which the force acts on a bent rod of nodes (n, 2) and length, mm."""
+        edges = np.diff(nodes, axis=0)
+        weights = [edge_weights(float(s), length / len(edges), len(edges)) for s in self.s]
+        return np.asarray(nodes[0] + np.array(weights) @ edges)
+
     def distance_on(self, curve: PlaneCurve) -> float:
         """Return the straight distance, mm, between the first and the last point of application on a curve."""
         ends = curve.at(self.s).position

@@ -148,6 +148,11 @@ class PointMass:
             )
         return self.at
 
+    @property
+    def newtons(self) -> float:
+        """Weight of the mass, N."""
+        return self.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+
 
 @dataclass(frozen=True, eq=False)
 class Weight:
@@ -229,9 +234,8 @@ class Weight:
                 )
             i = min(int(s.searchsorted(at, side="right")) - 1, s.size - 2)
             share = (at - s[i]) / (s[i + 1] - s[i])
-            newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-            weight[i] += (1 - share) * newtons
-            weight[i + 1] += share * newtons
+            weight[i] += (1 - share) * point.newtons
+            weight[i + 1] += share * point.newtons
         return weight
 
 

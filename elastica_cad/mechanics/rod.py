@@ -605,6 +605,15 @@ class Rod:
         return (*self.between, *self.point_forces)
 
     @property
+    def hung(self) -> tuple[ElementForce, ...]:
+        """Masses that hang on the rod, as forces divided by the least bending stiffness, 1/mm2."""
+        if self.gravity is None or self.weight is None:
+            return ()
+        unit = np.array([self.gravity.direction]) / (self.bending_stiffness or 1.0)
+        masses: tuple[Any, ...] = self.weight.masses
+        return tuple(ElementForce(mass, np.array([mass.s]), mass.newtons * unit) for mass in masses)
+
+    @property
     def has_loads(self) -> bool:
         """True if masses hang on the rod, or point forces act on it."""
         return bool(self.point_forces or (self.weight is not None and self.weight.masses))

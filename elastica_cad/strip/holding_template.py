@@ -20,7 +20,7 @@ from elastica_cad.mechanics.elements import (
     noun_of,
     side_of_bar,
 )
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
+from elastica_cad.mechanics.loads import End, PointMass
 from elastica_cad.refusals import Degrees, Force, Length, Listed, Mass, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
@@ -280,7 +280,7 @@ class HeldElement:
 def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
     """Return the rails, pins, ties and loads of a strip with the dimensions for mounting them."""
     rod, counts, held = strip.rod, Counter[str](), []
-    actions = [*rod.acting, *_forces_of_masses(strip)]
+    actions = [*rod.acting, *strip.rod.hung]
     if not actions:
         return ()
     chord = rod.chord / (norm(rod.chord) or 1.0)
@@ -316,18 +316,6 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
 def direction_in_drawing(angle: float) -> Refusal:
     """Return the direction, such as "upward", nearest to an angle in degrees from the x axis."""
     return note(("to the right", "upward", "to the left", "downward")[round(angle / 90) % 4])
-
-
-def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
-    """Yield the weight of each hung mass as a force divided by the bending stiffness, 1/mm2."""
-    rod = strip.rod
-    if rod.gravity is None or rod.weight is None:
-        return
-    mass: Any
-    for mass in rod.weight.masses:
-        newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-        force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])
-        yield ElementForce(mass, np.array([mass.s]), force)
 
 
 def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
