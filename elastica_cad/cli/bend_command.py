@@ -57,7 +57,7 @@ from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
-from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change
+from elastica_cad.mechanics.bending import Leg, path_legs, places_of
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Tie
 from elastica_cad.mechanics.loads import (
     Gravity,
@@ -203,8 +203,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     strip, rod = _initial_shape(curve, chosen) if bent is None else _bent_shape(bent)
     designed = bent["strip"] if bent else strip and strip_record(strip)
     if strip is not None and rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
-        gravity = strip.sheet.gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
-        strip = with_weight(strip, gravity)
+        strip = with_weight(strip, strip.sheet.gravity(chosen["down"] or (0.0, -1.0)))
         rod = strip.rod
     before = rod if strip is None else strip.rod_to_bend
     if chosen["release"] and not rod.between:
@@ -235,16 +234,20 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     change = _bend_keywords(before, strip, chosen)
     if chosen["shorten"] is not None and stays:
         _refuse_fixed_cords(rod, supports, change["between"])
-    # skip position zero of a straight strip, where its force is undetermined up to the buckling load
-    from_zero = strip is not None and curve is not None and chosen["steps"] > 1 and not change
-    steps = _keywords_of_steps(before, chosen, supports, change, from_zero=from_zero)
+    angles = [chosen[f"{end}_angle"] for end in ("start", "end")]
+    path = [{
+        "start": chosen["start"], "end": chosen["end"], "supports": supports, **change,
+        "angles": tuple(None if angle is None else float(np.radians(angle)) for angle in angles),
+    }]  # fmt: skip
     if strip is None:
-        shapes = bend_path(rod, steps, side=side)
+        legs = path_legs(rod, path, side=side)
+        shapes = tuple(legs[k].rod(t) for k, t in places_of(legs, chosen["steps"]))
         verdicts = [stability(shape) for shape in shapes]
     else:
-        moved = bend_strip(strip, steps, side=side)
+        moved = bend_strip(strip, path, side=side, steps=chosen["steps"])
+        legs = [stage.leg for stage in moved.stages]
         shapes, verdicts = moved.rods, moved.verdicts
-    _print_shapes(rod, shapes, verdicts, moved, change)
+    _print_shapes(rod, legs, shapes, verdicts, moved, change)
     B = 1.0 if strip is None else strip.bending_stiffness
     reports = [_shape_report(*pair, B) for pair in zip(shapes, verdicts, strict=True)]
     answered = {"length": rod.length, "ratio": rod.ratio, "shapes": reports, "travel": None}
@@ -421,8 +424,6 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, A
         )
     if loads:
         change["loads"] = loads
-    if loads and rod.gravity is None and strip is not None:
-        change["gravity"] = strip.sheet.gravity(chosen["down"] or (0.0, -1.0))
     return change
 
 
@@ -448,28 +449,6 @@ def _with_shorter_cord(action: ElementForce, by: float) -> Any:
             start=MmLength(start), end=MmLength(end), length=MmLength(round(length + by, 1)), by=MmLength(by),
         )  # fmt: skip
     return replace(action.element, start=start, end=end, length=length)
-
-
-def _keywords_of_steps(
-    rod: Rod, chosen: Chosen, supports: Supports, change: dict[str, Any], *, from_zero: bool = False
-) -> list[dict[str, Any]]:
-    gravity = {"gravity": change["gravity"]} if "gravity" in change else {}
-
-    def keywords(part: float) -> dict[str, Any]:
-        places, angles = {}, []
-        for end, here, now in zip(("start", "end"), rod.position[[0, -1]], rod.angle[[0, -1]], strict=True):
-            there, angle = chosen[end], chosen[f"{end}_angle"]
-            places[end] = here if there is None else here + part * (np.array(there) - here)
-            angles.append(None if angle is None else float(now + part * (np.radians(angle) - now)))
-        return {
-            **places,
-            "angles": tuple(angles),
-            "supports": supports,
-            **part_of_change(rod, change, part),
-            **gravity,
-        }
-
-    return [keywords(k / chosen["steps"]) for k in range(0 if from_zero else 1, chosen["steps"] + 1)]
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
@@ -506,6 +485,7 @@ def _force_report(action: ElementForce, bending_stiffness: float, points: FloatA
 
 def _print_shapes(
     rod: Rod,
+    legs: Sequence[Leg],
     shapes: Sequence[Rod],
     verdicts: Sequence[Stability],
     moved: Travel | None,
@@ -518,11 +498,16 @@ def _print_shapes(
     }  # fmt: skip
     start, end = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
     say(*printed_table(columns | {"start_deg": start, "end_deg": end, "stability": states}))
-    say_rows(*_rows(rod, shapes, states, moved, change))
+    say_rows(*_rows(rod, legs, shapes, states, moved, change))
 
 
 def _rows(
-    rod: Rod, shapes: Sequence[Rod], states: Sequence[str], moved: Travel | None, change: dict[str, Any]
+    rod: Rod,
+    legs: Sequence[Leg],
+    shapes: Sequence[Rod],
+    states: Sequence[str],
+    moved: Travel | None,
+    change: dict[str, Any],
 ) -> Iterator[Row]:
     last = shapes[-1]
     ratio = f"The largest stiffness of the strip is {rod.ratio:.4g} times the least."
@@ -541,11 +526,12 @@ def _rows(
         worst = int(np.argmin(moved.safety))
         safety = number_text(moved.safety[worst])
         yield Row("Strain", f"at most {Strain(moved.strain[worst])}, safety {safety}")
-    yield _stability_row(states, shapes, moved, change)
-    # leave out warnings about a snap, because `moved.warnings` below state where it happens
-    texts = [
-        text for shape in shapes for text in shape.warnings if moved is None or not is_snap_warning(text)
-    ]
+    yield _stability_row(states, legs, moved)
+    texts: list[str] = [] if moved is not None else [text for leg in legs for text in leg.warnings]
+    if any(leg.together for leg in legs):
+        texts.append(
+            note("the loads grow while the ends move, because the strip does not stand without them")
+        )
     texts += [text for action in last.between for text in _warnings_on_side(action, rod, last)]
     stretch = float(norm(np.diff(last.position, axis=0)).sum()) - last.length
     if stretch > 1e-4 * last.length:  # more than rounding errors
@@ -562,7 +548,7 @@ def _rows(
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].overloaded)
-        where = f"at {_place(k, shapes, moved, change)}, " if shapes[1:] else ""
+        where = f"at {moved.words(moved.places[k])}, " if shapes[1:] else ""
         yield warning_row(f"{where}{moved.sideways[k].meaning}", "Stability")
     yield from map(warning_row, moved.warnings)
 
@@ -584,14 +570,22 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
 
 
 def _displacement_row(moved: Travel, *, released: bool) -> Row:
-    distance, at, direction = farthest_move(moved.strip.rod, moved.rods[-1])
+    """Return the row on the movement: the sag under the new loads, and the distance from the design."""
+    last, stage = moved.rods[-1], moved.stages[-1]
+    design = moved.strip.rod
+    distance, at, direction = farthest_move(design, last)
     strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
         return Row("Movement", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
     far = f"{MmLength(distance):.2g} from its design"
-    return Row(
-        "Movement", f"{strip} moves by at most {far}: the point {at:.0f} mm along the strip, {direction}"
+    where = f"the point {at:.0f} mm along the strip, {direction}"
+    if stage.unit != "N":
+        return Row("Movement", f"{strip} moves by at most {far}: {where}")
+    sag, at, direction = farthest_move(stage.leg.rod(0.0), last)
+    sags = (
+        f"{strip} sags by at most {MmLength(sag):.2g} under the load: the point {at:.0f} mm along the strip"
     )
+    return Row("Movement", f"{sags}, {direction}; it is at most {far}")
 
 
 def _force_columns(moved: Travel) -> dict[str, Any]:
@@ -601,9 +595,16 @@ def _force_columns(moved: Travel) -> dict[str, Any]:
     )
     # without loads, rails, pins and ties, the start has the opposite force of the end
     differs = bool((np.abs(start + end) > 1e-3 * size).any())
-    path = {"deg": "turn_deg", "mm": "travel_mm", "%": "change_applied_percent"}[moved.unit]
+    units = {stage.unit for stage in moved.stages}
+    path = {
+        "travel_mm": moved.travel if "mm" in units else None,
+        "turn_deg": np.degrees(moved.turn) if "deg" in units - {"mm"} else None,
+        "change_applied_percent": moved.path_length if units == {"%"} else None,
+        "load_N": moved.load if "N" in units else None,
+        "sag_mm": moved.sag if moved.unit == "N" else None,
+    }
     return {
-        path: moved.path_length,
+        **{name: values for name, values in path.items() if values is not None},
         **({"start_force_x_N": start[:, 0], "start_force_y_N": start[:, 1]} if differs else {}),
         "end_force_x_N": end[:, 0], "end_force_y_N": end[:, 1],
         "start_moment_Nmm": moved.start_moment, "end_moment_Nmm": moved.end_moment,
@@ -616,28 +617,22 @@ def _smallest_radius(shape: Rod) -> str:
     return number_text(1 / kappa, ".4g") if kappa * shape.length > 1e-6 else "straight"
 
 
-def _stability_row(
-    states: Sequence[str], shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]
-) -> Row:
+def _stability_row(states: Sequence[str], legs: Sequence[Leg], moved: Travel | None) -> Row:
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         sideways = {side.word for side in moved.sideways} if moved is not None else set()
         every = " at every step" if states[1:] else ""
         undecided = "; sideways undecided" if "undecided" in sideways else ""
         text = f"stable in its plane{every}{undecided}"
-        if any(has_snapped(shape) for shape in shapes):
-            return warning_row(f"snaps on the way; the shape is {text}", "Stability")
+        if any(leg.path.leaps for leg in legs):
+            last = "last " if states[1:] else ""
+            return warning_row(f"snaps on the way; the {last}shape is {text}", "Stability")
         if sideways == {"ample"}:
             text = f"stable{every}: the strip neither snaps into another shape nor tips over sideways"
         return Row("Stability", text)
-    where = f" from {_place(step, shapes, moved, change)} on" if states[1:] else ""
+    place = f"step {step + 1} of {len(states)}" if moved is None else moved.words(moved.places[step])
+    where = f" from {place} on" if states[1:] else ""
     return warning_row(f"{states[step]}{where}", "Stability")
-
-
-def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> str:
-    if moved is None or change:
-        return f"step {step + 1} of {len(shapes)}"
-    return moved.place_message(moved.path_length[step])
 
 
 def _write_files(

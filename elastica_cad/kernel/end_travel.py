@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path as FilePath
-from typing import Any
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.kernel.mesh_files import face_triangles
 from elastica_cad.kernel.occt import make_solid
 from elastica_cad.kernel.strip_body import Point, StripBody, end_angles
-from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.bending import Leg, path_legs
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.model.assembly import layer_names
@@ -128,10 +127,6 @@ def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-30)[:, None])
 
 
-STATIONS = 24
-"""Number of shapes along the path that are computed first, as initial guesses for other shapes."""
-
-
 @dataclass(frozen=True, eq=False)
 class Travel:
     """Path of the end of a strip: a translation along a line, or a rotation in place.
@@ -148,6 +143,7 @@ class Travel:
 
     Examples
     --------
+    >>> from elastica_cad.mechanics.bending import bend
     >>> from elastica_cad.mechanics.sheets import Sheet
     >>> arch = bend(Rod.straight(100.0, samples=101), end=(90.0, 0.0))
     >>> travel = Travel(Strip(arch, Sheet.named("pom-0.5"), max_width=10), Frame(), (70.0, 0.0))
@@ -215,24 +211,17 @@ class Travel:
         x, z = self.frame.direction(along), self.frame.z_axis * (-1.0 if self._turn < 0 else 1.0)
         return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
 
-    def _ends(self, share: float) -> dict[str, Any]:
-        if self.angle is None:
-            return {"end": self._rod.position[-1] + share * self._way}
-        return {"angles": (None, float(self._rod.angle[-1] + share * self._turn))}
-
     @cached_property
-    def _stations(self) -> tuple[Rod, ...]:
-        return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
+    def _leg(self) -> Leg:
+        step = {"end": self.end} if self.angle is None else {"angles": (None, float(self.angle))}
+        (leg,) = path_legs(self.strip.rod_to_bend, [step])
+        return leg
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
-        """Return `frames` shapes in equal steps of the path, including both ends.
-
-        Each shape is the initial guess for the next.
-        """
+        """Return `frames` shapes in equal steps of the path, including both ends."""
         if not isinstance(frames, int) or frames < 2:
             raise InputError(f"`frames` is {frames}, too few for a motion. Use a whole number, 2 or more.")
-        steps = [self._ends(share) for share in np.linspace(0.0, 1.0, frames)[1:]]
-        return (self._rod, *bend_path(self.strip.rod_to_bend, steps))
+        return (self._rod, *map(self._leg.rod, np.linspace(0.0, 1.0, frames)[1:].tolist()))
 
     def rod(self, position: float) -> Rod:
         """Return the rod in its shape at a position on the path, mm or degrees."""
@@ -242,13 +231,13 @@ class Travel:
             raise InputError(
                 f"position is {requested} {self.unit}, outside the travel. Use 0 to {self.length:.4g} {self.unit}."
             )
-        return bend(self._stations[round(share * STATIONS)], **self._ends(share))
+        return self._leg.rod(min(max(share, 0.0), 1.0))
 
     def write_glb(
         self,
         path: str | PathLike[str],
         *,
-        frames: int = STATIONS + 1,
+        frames: int = 25,
         seconds: float = 4.0,
         color: tuple[float, ...] | None = None,
         force: bool = False,

@@ -1,9 +1,9 @@
 """Rest shape of a rod after its ends, loads or supports have changed."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, Literal, TypeGuard
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
@@ -14,23 +14,30 @@ from elastica_cad._values import (
     pair,
     require_flag,
     require_record,
-    several,
 )
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import midpoints, norm
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
+    Mount,
     Pin,
     PlacedElement,
     PointForce,
-    Rail,
     Tie,
     lumped,
     require_elements,
-    resultant,
     weight_with_loads,
     with_placed_masses,
+)
+from elastica_cad.mechanics.followed_path import (
+    Event,
+    FollowedPath,
+    Segment,
+    Visit,
+    followed,
+    not_found,
+    shape_of,
 )
 from elastica_cad.mechanics.loads import (
     Gravity,
@@ -40,31 +47,15 @@ from elastica_cad.mechanics.loads import (
     require_supports,
     whole_number,
 )
-from elastica_cad.mechanics.mounted_elements import (
-    MEETS_SHARE,
-    PULLS_SHARE,
-    ShapeOfRod,
-    mounted,
-    require_held,
-    touching,
-    violation,
-    with_side,
-    wrong_force,
-)
+from elastica_cad.mechanics.mounted_elements import MEETS_SHARE, ShapeOfRod, mounted, violation
 from elastica_cad.mechanics.newton_continuation import (
-    LARGEST_TURN_RAD,
-    SMALL_TURN_RAD,
-    STOP_SHARE,
     STRAIGHT_RAD,
     Reached,
-    Stop,
-    between_loads,
-    buckling_mode,
     follow,
     is_balanced,
     is_straight,
     leave_straight,
-    relax,
+    must_shorten,
     stretch,
 )
 from elastica_cad.mechanics.rod import Rod, require_rod, resample
@@ -75,7 +66,8 @@ Keep = Literal["keep"]
 
 # force components up to this fraction of the largest force in the rod are rounding errors
 ROUNDED_SHARE = 1e-12
-TURNED_RAD = 1e-9  # smaller rotations of an end, rad, are rounding errors
+# fraction of the path at which a straight rod is first computed, already bent
+FIRST_SHARE = 0.02
 
 
 def bend(
@@ -133,7 +125,7 @@ def bend(
         the rod bends to the left if its ends are pushed together, and remains straight under a force if possible.
         A shortened tie requires `side`.
     mode : int
-        Buckling mode of a straight rod; modes above 1 are usually unstable.
+        Buckling mode of a straight rod whose ends approach each other; modes above 1 are usually unstable.
     samples : int, optional
         Number of nodes; by default the same as in `rod`.
     settle : bool
@@ -165,6 +157,70 @@ def bend(
     >>> round(float(arch.position[:, 1].max()), 1)
     31.4
     """
+    require_flag(settle, "settle")
+    legs = _bend_legs(
+        rod, start, end, angles, gravity=gravity, supports=supports, force=force, moment=moment, guess=guess,
+        side=side, mode=mode, samples=samples, between=between, loads=loads,
+    )  # fmt: skip
+    bent = _end_of(legs)
+    return _settled(legs[-1]) if settle and bent.discrete.unstable_modes else bent
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Leg:
+    """Stage of a bend: the ends, rails, pins and ties move, or loads grow.
+
+    Attributes
+    ----------
+    path : FollowedPath
+    loads : (present, new) or None
+        Loads that fade and loads that grow along this leg; None if the ends move.
+    like : Rod
+        Rod with profile, weight and loads of the leg.
+    together : bool
+        True if loads grow while the ends move, because the rod does not stand without them.
+    """
+
+    path: FollowedPath
+    like: Rod
+    loads: "tuple[Sequence[PointMass | PointForce], Sequence[PointMass | PointForce]] | None" = None
+    together: bool = False
+
+    def rod(self, t: float) -> Rod:
+        """Return the rod at the fraction t of the leg."""
+        like = self.like
+        if self.loads is not None and t < 1:
+            like = _with_loads(like, (*scaled(self.loads[0], 1 - t), *scaled(self.loads[1], t)))
+        return self.path.at(t).rod(like)
+
+    @property
+    def warnings(self) -> tuple[Refusal, ...]:
+        """What happens on the way, in one sentence for each event."""
+        of_loads = self.loads is not None and not self.together
+        return tuple(_event_warning(event, of_loads=of_loads) for event in self.path.leaps)
+
+
+def _bend_legs(
+    rod: Rod,
+    start: ArrayLike | None = None,
+    end: ArrayLike | None = None,
+    angles: tuple[float | None, float | None] | ArrayLike | None = None,
+    *,
+    gravity: Gravity | Keep | None = "keep",
+    supports: Supports | None = None,
+    force: ArrayLike | None = None,
+    moment: float | tuple[float, float] | None = None,
+    guess: "Rod | ArrayLike | None" = None,
+    side: int | None = None,
+    mode: int = 1,
+    samples: int | None = None,
+    between: "Element | Sequence[Element] | Keep" = "keep",
+    loads: "PointMass | PointForce | Sequence[PointMass | PointForce] | Keep" = "keep",
+) -> tuple[Leg, ...]:
+    """Return the stages of `bend`: first the ends and what is between them, then the new loads.
+
+    If the rod does not stand without its new loads, they grow while the ends move.
+    """
     require_rod(rod, "bend", "Rod.straight")
     rod = rod.following()
     start = rod.position[0] if start is None else start
@@ -176,6 +232,8 @@ def bend(
     if not is_one_of(side, (None, 1, -1)):
         raise InputError(f"side is {side!r}: give +1 to bend the rod to the left first, -1 to the right")
     whole_number(mode, "mode", 1)
+    if not isinstance(gravity, str) and np.ptp(rod.discrete.angles) <= STRAIGHT_RAD:
+        rod = replace(rod, gravity=gravity)  # a straight rod has no rest shape that its weight could change
     keeps = isinstance(between, str) and between == "keep"
     elements = mounted(rod, None if keeps else require_elements(between))
     requested = replace(
@@ -186,44 +244,23 @@ def bend(
     )
     if not elements:
         requested.supports.require_held()
-    if not (isinstance(loads, str) and loads == "keep"):
-        requested = _with_loads(requested, loads)
     system = system_of(requested, rod, start, end, angles, force=force, moment=moment)
-    require_flag(settle, "settle")
-    if elements:
-        _refuse_pins_out_of_reach(elements, system)
-        arched = _arched(elements, rod, system, side) if guess is None else guess
-        return _bent_on_elements(requested, rod, system, arched, settle=settle)
-    before = None if guess is not None else _under_present_loads(rod, system)
-    state = state_of(rod, system, before) if guess is None else _guess_state(guess, system)
-    rest, at = _rest_or_snapped_state(reach(state, side, mode, before=before), settle=settle)
-    return replace(rest.rod(requested), warnings=_warnings(rest, at))
-
-
-def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state, and the fraction of the path at which the rod snapped into it (None: no snap)."""
-    balanced = reached.arrived and is_balanced(reached.state)
-    if balanced and not (settle and reached.state.discrete.unstable_modes):
-        return reached.state, None
-    snapped = relax(reached.state)
-    if snapped is None:
-        raise NotConvergedError(
-            "no equilibrium was found beyond {fraction:.1%} of the path from the present shape. Move the ends "
-            "in smaller steps, or give a guess closer to the result",
-            fraction=reached.fraction,
-        )
-    return snapped, reached.fraction
-
-
-def _warnings(state: RodState, snaps_at: float | None) -> tuple[str, ...]:
-    warnings = [] if snaps_at is None else [_snap_warning(100 * snaps_at)]
-    turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
-    if turn >= 60.0:
-        warnings.append(note(
-            "the strip turns by {turn:.0f} between two nodes, so its shape is inaccurate: use more samples",
-            turn=Degrees(turn), severity="warning",
-        ))  # fmt: skip
-    return tuple(warnings)
+    _refuse_pins_out_of_reach(elements, system)
+    if isinstance(loads, str) and loads == "keep":
+        return (_leg(requested, rod, system, guess=guess, side=side, mode=mode),)
+    loaded = _with_loads(requested, loads)
+    changes = _loads_of(rod), _loads_of(loaded)
+    at_end = replace(system, load=_present_load(loaded))
+    moves = segment_to(requested, rod, system)[0].changes
+    if moves and guess is None:
+        try:
+            first = _leg(requested, rod, system, guess=None, side=side, mode=mode)
+            bent = first.rod(1.0)
+            loaded = replace(loaded, between=bent.between)
+            return first, _leg(loaded, bent, at_end, guess=None, side=side, mode=1, loads=changes)
+        except (InputError, NotConvergedError):
+            pass
+    return (_leg(loaded, rod, at_end, guess=guess, side=side, mode=mode, loads=changes, together=moves),)
 
 
 def _with_loads(rod: Rod, loads: object) -> Rod:
@@ -244,29 +281,8 @@ def _with_loads(rod: Rod, loads: object) -> Rod:
     return replace(rod, weight=weight if masses or rod.weight is not None else None, point_forces=acting)
 
 
-def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
-    """Return the arguments `loads` and `between` of `bend` at the fraction `part` of a step of `bend_path`.
-
-    The present loads of `rod` decrease to zero, and the loads of the step grow from zero. Points of rails and
-    pins, and lengths of ties, are interpolated linearly. If a rail, pin or tie is replaced by another kind, the
-    replacement is immediate.
-    """
-    entry: dict[str, Any] = {}
-    if "loads" in step:
-        new_loads = several("loads", step["loads"], PointMass | PointForce, "PointMass or PointForce")
-        masses = () if rod.weight is None else rod.weight.masses
-        present = (*masses, *(action.on_curve for action in rod.point_forces))
-        entry["loads"] = (*_scaled(present, 1 - part), *_scaled(new_loads, part))
-    if "between" in step:
-        goal, present = (mounted(rod, require_elements(step["between"])), mounted(rod, None))
-        partners = [*present, *goal[len(present) :]]
-        entry["between"] = tuple(
-            _interpolated_element(before, after, part) for before, after in zip(partners, goal, strict=False)
-        )
-    return entry
-
-
-def _scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[PointMass | PointForce, ...]:
+def scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[PointMass | PointForce, ...]:
+    """Return loads multiplied by a factor; none for 0."""
     if factor == 0:
         return ()
     return tuple(
@@ -275,18 +291,6 @@ def _scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[Poi
         else PointForce(load.at, (factor * load.force[0], factor * load.force[1]))
         for load in loads
     )
-
-
-def _interpolated_element(before: ElementForce, after: ElementForce, part: float) -> Element:
-    element, first, last = after.element, before.mounting, after.mounting
-    assert isinstance(element, Rail | Pin | Tie)
-    if type(before.element) is not type(element) or first == last:
-        return element
-    if isinstance(element, Tie):
-        start, end = after.s.tolist()
-        return replace(element, start=start, end=end, length=(1 - part) * first.length + part * last.length)
-    x, y = ((1 - part) * a + part * b for a, b in zip(first.point, last.point, strict=True))
-    return replace(element, at=(x, y))
 
 
 def fixed_places(elements: Sequence[ElementForce], system: RodSystem) -> list[tuple[float, FloatArray]]:
@@ -318,16 +322,26 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
             )  # fmt: skip
 
 
-def _arched(
-    elements: Sequence[ElementForce], rod: Rod, system: RodSystem, side: int | None
-) -> FloatArray | None:
+def _begins(action: ElementForce, shape: ShapeOfRod) -> Mount:
+    """Return where a rail, pin or tie begins: at the present shape if it acts there, or else in its place."""
+    mount, beyond = action.mounting, violation(action, shape)
+    if action.is_one_sided and not action.force.any() and beyond <= MEETS_SHARE * shape.length:
+        return mount
+    if isinstance(action.element, Tie):
+        return replace(mount, length=mount.length + beyond)
+    pinned = isinstance(action.element, Pin)
+    s = float(action.s[0]) if pinned else shape.foot(np.array(mount.point))
+    x, y = shape.at(s).tolist()
+    return replace(mount, point=(x, y))
+
+
+def _arched(segment: Segment, visit: Visit, side: int | None) -> FloatArray | None:
     """Return the edge angles, rad, of the straight rod buckled by a shortened tie, or None without such a tie."""
-    shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
-    shorter = [
-        action for action in elements
-        if isinstance(action.element, Tie) and violation(action, shape) > MEETS_SHARE * shape.length
-    ]  # fmt: skip
-    if not shorter or np.ptp(angles) > STRAIGHT_RAD:
+    state, shape = visit.state, shape_of(visit.state)
+    elements = segment.elements_at(FIRST_SHARE, visit.elements)
+    cord = next((action for action in elements if isinstance(action.element, Tie)
+                 and violation(action, shape) > 0), None)  # fmt: skip
+    if cord is None:
         return None
     if side is None:
         raise InputError(
@@ -335,144 +349,123 @@ def _arched(
             "which it bulges.",
             field=FieldName("side"),
         )
-    cord = shorter[0]
-    start, end = cord.s
-    # the buckling load of a hinged rod; the mode changes little with the load
-    pull = (np.pi / (end - start)) ** 2 * float(rod.stiffness.mean())
-    taut = replace(cord, force=np.sign(end - start) * pull * np.outer((1, -1), shape.tangents[0]))
-    pins = (action for action in elements if isinstance(action.element, Pin))
-    mode = buckling_mode(replace(system, actions=(taut, *pins)).state(angles), side, 1)[1]
-    s = (np.arange(angles.size) + 0.5) * shape.edge_length
-    under = (min(start, end) < s) & (s < max(start, end))
-    # chord / arc length is about 1 - variance of the angles / 2
-    size = np.sqrt(2 * (1 - cord.mounting.length / abs(end - start))) / mode[under].std()
-    return np.asarray(angles + size * mode)
+    low, high = sorted(cord.s.tolist())
+    # half a sine wave between the ends of the cord; chord / arc length is about 1 - variance of the angles / 2
+    s = (np.arange(state.angles.size) + 0.5) * shape.edge_length
+    wave = np.cos(np.pi * ((s - low) / (high - low)).clip(0.0, 1.0))
+    return np.asarray(state.angles + side * 2 * np.sqrt(1 - cord.mounting.length / (high - low)) * wave)
 
 
-ROUNDS = 12
-"""Largest number of changes between slack and taut, per tie or one-sided rail."""
-
-
-def _bent_on_elements(
-    wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
-) -> Rod:
-    """Bend a rod with rails, pins and ties, and find out which ties and one-sided rails are taut."""
-    elements = list(wanted.between)
-    shape = ShapeOfRod.of(present)
-    reach_of_rail = MEETS_SHARE * shape.length
-    taut = [
-        not action.is_one_sided or bool(action.force.any()) or violation(action, shape) >= -reach_of_rail
-        for action in elements
-    ]
-    state, snaps_at, last, remaining = None, None, None, 1.0
-    # distances, mm, by which slack rails move and slack ties shorten on the rest of the path
-    ahead = np.zeros(len(elements))
-    before = system if guess is not None else _under_present_loads(present, system)
-
-    def changed_set(state: RodState, fraction: float) -> list[bool] | None:
-        return _changed_taut_set(elements, taut, state, (1 - fraction) * ahead)
-
-    for _ in range(ROUNDS * (1 + len(elements))):
-        acting = [i for i, is_taut in enumerate(taut) if is_taut]
-        system = replace(system, actions=tuple(elements[i] for i in acting))
-        if state is not None:
-            state = system.state(state.angles, state.reactions[: len(system.held)])
-        elif guess is not None:
-            state = _guess_state(guess, system)
-        else:
-            state = state_of(present, system, before)
-        _require_held(state)
-        # use short steps after a rail or tie became slack or taut, because the branch of equilibria may end
-        # soon
-        turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
-        reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
-        state = reached.state
-        changed = None if reached.arrived else changed_set(state, reached.fraction)
-        # if a released rail or tie is taut again at once, the strip is unstable without it and snaps
-        leaps = changed == last and changed is not None and sum(taut) < sum(changed)
-        if changed is None or (leaps and reached.fraction <= STOP_SHARE):
-            state, at = _rest_or_snapped_state(reached, settle=settle)
-            snaps_at = snaps_at if at is None else 1 - remaining * (1 - at)
-            changed = changed_set(state, 1.0)
-        if changed is None:
-            _require_held(state)
-            return replace(
-                state.rod(wanted),
-                between=_with_present_forces(elements, taut, state),
-                warnings=_warnings(state, snaps_at),
-            )
-        remaining *= 1 - reached.fraction
-        ahead *= 1 - reached.fraction
-        before = between_loads(before, system, reached.fraction)
-        shape = shape_of(state)
-        for i, (was_taut, is_taut) in enumerate(zip(taut, changed, strict=True)):
-            if was_taut and not is_taut:
-                ahead[i] = violation(elements[i], shape)
-        elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
-    raise NotConvergedError(
-        "The program could not decide which rails, pins and ties carry load in this shape. Move the ends or "
-        "change the loads in smaller steps."
+def segment_to(requested: Rod, rod: Rod, system: RodSystem) -> tuple[Segment, Visit]:
+    """Return the path from the present shape of `rod` to `system`, and the shape as its first visit."""
+    elements, shape = requested.between, ShapeOfRod.of(rod)
+    mounts = tuple(_begins(action, shape) for action in elements)
+    segment = Segment(_present(rod, system, elements), system, elements, mounts)
+    begins = segment.elements_at(0.0, elements)
+    taut = tuple(
+        not action.is_one_sided
+        or bool(action.force.any())
+        or violation(action, shape) >= -MEETS_SHARE * shape.length
+        for action in begins
     )
+    return segment, Visit(0.0, state_of(rod, segment.system(0.0, begins, taut)), begins, taut)
 
 
-def _require_held(state: RodState) -> None:
-    """Refuse a state in which the rod can move as a whole."""
-    system = state.system
-    # the dead force of a rod with two free ends acts at its start
-    forces = system.load + np.outer(np.arange(system.edges + 1) == 0, system.force)
-    load = resultant(
-        state.position - state.position[0], forces, system.length, moment=float(system.moments.sum()),
-        other=sum(action.size for action in state.actions),
-    )  # fmt: skip
-    require_held(system.supports, state.actions, shape_of(state), load)
-
-
-def shape_of(state: RodState) -> ShapeOfRod:
-    """Return the shape of the rod whose unknowns have the values `state`."""
-    return ShapeOfRod(state.discrete.tangents, state.system.edge_length, state.position[0])
-
-
-def _with_present_forces(
-    elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
-) -> tuple[ElementForce, ...]:
-    shape, acting = shape_of(state), iter(state.actions)
-    return tuple(
-        with_side(next(acting), shape) if is_taut else touching(action, shape)
-        for action, is_taut in zip(elements, taut, strict=True)
-    )
-
-
-def _changed_taut_set(
-    elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
-) -> list[bool] | None:
-    """Find the flag in `taut` that contradicts the forces or gaps most. Return `taut` with this flag changed.
-
-    Return None if no flag contradicts them.
-    """
-    shape, acting = shape_of(state), iter(state.actions)
-    largest = np.abs(state.discrete.force).max(initial=0.0)
-    wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
-    for i, action in enumerate(elements):
-        if taut[i]:
-            wrong[i] = wrong_force(next(acting), shape)
-        else:
-            through[i] = violation(action, shape) - ahead[i]
-    changed = list(taut)
-    if wrong.max() > PULLS_SHARE * largest:
-        changed[wrong.argmax()] = False
-    elif through.max() > MEETS_SHARE * shape.length:
-        changed[through.argmax()] = True
+def _leg(
+    requested: Rod,
+    rod: Rod,
+    system: RodSystem,
+    *,
+    guess: "Rod | ArrayLike | None",
+    side: int | None,
+    mode: int,
+    **kind: Any,
+) -> Leg:
+    """Return the stage from the present shape of `rod` to an equilibrium of `system`."""
+    segment, visit = segment_to(requested, rod, system)
+    if requested.between:
+        visit.require_held()
+    if guess is not None:
+        state = _guess_state(guess, segment.system(1.0, visit.elements, visit.taut))
+        path = followed(segment, segment.at_rest(1.0, state, visit), watched=False)
     else:
-        return None
-    return changed
+        first, to = first_visit(segment, visit, side, mode)
+        watched = mode == 1 and not (rod.discrete.unstable_modes and side is None)
+        path = followed(segment, first, side=to, watched=watched)
+    if side is not None and is_straight(path.visits[-1].state):
+        raise InputError(
+            "the load is too small to buckle the straight rod: increase the load or the length, or leave out "
+            "`side` to keep the rod straight"
+        )
+    if requested.between:
+        path.visits[-1].require_held()
+    return Leg(path, requested, **kind)
 
 
-def _snap_warning(percent: float) -> Refusal:
+def first_visit(
+    segment: Segment, visit: Visit, side: int | None, mode: int = 1
+) -> tuple[Visit | Event, int | None]:
+    """Return the first equilibrium of a path, and the side to which a straight rod buckles on the way."""
+    final, state = segment.last, visit.state
+    long = bool(final.held) and np.linalg.norm(final.chord) > final.length * (1 - 1e-12)
+    if not (long or is_straight(state)):
+        return segment.at_rest(0.0 if segment.changes else 1.0, state, visit), side
+    arched = _arched(segment, visit, side)
+    if arched is not None:
+        guess = segment.system(FIRST_SHARE, visit.elements, visit.taut).state(arched)
+        return segment.at_rest(FIRST_SHARE, _with_reactions(guess), visit), side
+    if not (long or mode > 1 or must_shorten(state.under(final))):
+        return segment.at_rest(0.0, state, visit), side
+    a, b = final.held_angles
+    turn = 0.0 if a is None or b is None else b - a
+    # if the held end angles differ much, the sign of the difference determines the default side
+    side = side or (-int(np.sign(turn)) if abs(turn) > 0.5 else 1)
+    t = 1.0 if long or mode > 1 else FIRST_SHARE
+    plain = segment.system(t, visit.elements, [False] * len(visit.elements))
+    reached = reach(plain.state(state.angles, state.reactions[: len(plain.held)]), side, mode)
+    if not visit.elements and reached.arrived and is_balanced(reached.state):
+        return replace(visit, t=t, state=reached.state), side
+    bent = segment.system(t, visit.elements, visit.taut).state(reached.state.angles)
+    return segment.at_rest(t, _with_reactions(bent), visit), side
+
+
+def _settled(leg: Leg) -> Rod:
+    """Return the stable shape into which the unstable result of a leg moves."""
+    last = leg.path.visits[-1]
+    rest = leg.path.segment.settled(1.0, last.state, last)
+    if rest is None:
+        raise not_found(1.0)
+    return replace(rest.rod(leg.like), warnings=(_snap_warning(100.0, of_loads=False),))
+
+
+def _event_warning(event: Event, *, of_loads: bool) -> Refusal:
+    if event.kind == "snap" or event.other is None:
+        return _snap_warning(100 * event.t, of_loads=of_loads)
     return note(
-        "the strip snaps into another shape after {percent:.3g} % of the path; the result is this other shape",
-        percent=percent,
+        "the strip buckles after {percent:.3g} % of the path, and nothing decides to which side; the result is one "
+        "of two shapes",
+        percent=100 * event.t,
         severity="warning",
     )
+
+
+def _snap_warning(percent: float, *, of_loads: bool) -> Refusal:
+    text = (
+        "the strip snaps into another shape under {percent:.3g} % of the new loads; the result is this other shape"
+        if of_loads
+        else "the strip snaps into another shape after {percent:.3g} % of the path; the result is this other shape"
+    )
+    return note(text, percent=percent, severity="warning")
+
+
+def _warnings(rod: Rod) -> tuple[str, ...]:
+    turn = float(np.degrees(np.abs(np.diff(rod.discrete.angles)).max()))
+    if turn < 60.0:
+        return ()
+    return (note(
+        "the strip turns by {turn:.0f} between two nodes, so its shape is inaccurate: use more samples",
+        turn=Degrees(turn), severity="warning",
+    ),)  # fmt: skip
 
 
 def has_snapped(rod: Rod) -> bool:
@@ -481,15 +474,9 @@ def has_snapped(rod: Rod) -> bool:
 
 
 def snap_percent(rod: Rod) -> float | None:
-    """Return the percentage of the change of ends and loads at which the rod snapped, or None."""
-    return next(
-        (float(warning.values["percent"]) for warning in rod.warnings if is_snap_warning(warning)), None
-    )
-
-
-def is_snap_warning(message: str) -> TypeGuard[Refusal]:
-    """Return True if a warning of `bend` states that the rod snapped."""
-    return isinstance(message, Refusal) and "percent" in message.values
+    """Return the percentage of the movement, or of the new loads, at which the rod snapped, or None."""
+    notes = (message for message in rod.warnings if isinstance(message, Refusal))
+    return next((float(one.values["percent"]) for one in notes if "percent" in one.values), None)
 
 
 def bend_path(
@@ -523,70 +510,43 @@ def bend_path(
     3
     """
     require_record(rod, Rod, "what is bent", "a Rod, as optimal_rod or Rod.straight makes one")
-    rods = [rod]
+    return tuple(map(_end_of, _legs_of_steps(rod, path, side, mode)))
+
+
+def path_legs(
+    rod: Rod, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None
+) -> list[Leg]:
+    """Return the stages of all steps of a path, as in `bend_path`."""
+    return [leg for legs in _legs_of_steps(rod, path, side, 1) for leg in legs]
+
+
+def _legs_of_steps(
+    rod: Rod, path: "ArrayLike | Sequence[Mapping[str, Any]]", side: int | None, mode: int
+) -> Iterator[tuple[Leg, ...]]:
     steps = as_steps(path)
     for k, step in enumerate(steps):
         try:
-            bent = bend(rods[-1], **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
+            legs = _bend_legs(rod, **step, side=None if k else side, mode=1 if k else mode)
         except NotConvergedError as error:
             raise NotConvergedError(f"step {k + 1} of {len(steps)} of the path: {error}") from error
-        rods.append(bent)
-    progress = Movement.of(rods).progress
-    return tuple(
-        _with_rescaled_snap(bent, *shares) for bent, shares in zip(rods[1:], pairwise(progress), strict=True)
-    )
+        yield legs
+        rod = legs[-1].rod(1.0)
 
 
-def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
-    if (percent := snap_percent(rod)) is None:
-        return rod
-    others = [message for message in rod.warnings if not is_snap_warning(message)]
-    return replace(rod, warnings=(_snap_warning(100 * start + (end - start) * percent), *others))
+Place: TypeAlias = tuple[int, float]
+"""Number of a leg, and a fraction of it."""
 
 
-@dataclass(frozen=True, eq=False)
-class Movement:
-    """Movement of the ends of a rod over several steps.
+def places_of(legs: Sequence[Leg], steps: int) -> tuple[Place, ...]:
+    """Return the places of the shapes that are listed: `steps` in each leg; if these are more, the first too."""
+    first = ((0, 0.0),) if steps > 1 and legs[0].path.visits[0].t == 0 else ()
+    return (*first, *((k, j / steps) for k in range(len(legs)) for j in range(1, steps + 1)))
 
-    Attributes
-    ----------
-    travel : (k,) array
-        Length of the path of the end relative to the start, mm, from the first shape to each of the k shapes.
-    turn : (k,) array
-        Rotation, rad, of the end that turns more, from the first shape to each shape. Ends that turn freely are
-        ignored.
-    """
 
-    travel: FloatArray
-    turn: FloatArray
-
-    @classmethod
-    def of(cls, rods: Sequence[Rod]) -> "Movement":
-        """Return the movement of the ends from the successive shapes of a rod."""
-        steps = np.diff([rod.chord for rod in rods], axis=0)
-        held = [end.angle for end in rods[-1].supports.ends]
-        turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
-        travel = np.append(0.0, norm(steps).cumsum())
-        turn = np.append(0.0, turns[:, int(turns.sum(axis=0).argmax())].cumsum())
-        # smaller movements of an end are rounding errors
-        still = travel[-1] <= 1e-9 * rods[0].length
-        return cls(np.zeros_like(travel) if still else travel.round(9), turn)
-
-    @property
-    def is_turn(self) -> bool:
-        """True if the ends turn without travel."""
-        return bool(self.travel[-1] == 0 and self.turn[-1] > TURNED_RAD)
-
-    @property
-    def is_still(self) -> bool:
-        """True if the ends neither travel nor turn."""
-        return bool(self.travel[-1] == 0 and self.turn[-1] <= TURNED_RAD)
-
-    @property
-    def progress(self) -> FloatArray:
-        """Completed fraction (k,) of the movement at each of its k shapes, from 0 to 1."""
-        amount = self.turn if self.is_turn else self.travel
-        return amount / amount[-1] if amount[-1] > 0 else np.linspace(0.0, 1.0, amount.size)
+def _end_of(legs: Sequence[Leg]) -> Rod:
+    """Return the rod after the stages of a bend, with what happened on the way as warnings."""
+    bent = legs[-1].rod(1.0)
+    return replace(bent, warnings=(*(text for leg in legs for text in leg.warnings), *_warnings(bent)))
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
@@ -658,49 +618,46 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
     return times * loads.force, (first, last)
 
 
-def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> RodState:
+def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as the first state on the way to an equilibrium of `system`."""
-    present = between_loads(before or _under_present_loads(rod, system), system, 0.0)
     if system.actions:
-        return _with_reactions(present.state(rod.discrete.angles)).under(system)
-    extra = (rod.discrete.force - present.given_force).mean(axis=0)
+        return _with_reactions(system.state(rod.discrete.angles))
+    extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
 
-def _under_present_loads(rod: Rod, system: RodSystem) -> RodSystem:
-    released = replace(rod, supports=system.supports)
+def _present(rod: Rod, system: RodSystem, elements: Sequence[ElementForce] = ()) -> RodSystem:
+    """Return the equations of the present ends and loads of a rod, with the supports of `system`.
+
+    Forces of rails, pins and ties that are replaced by `elements` count as loads.
+    """
+    n, length = rod.s.size, rod.length
+    replaced = lumped(rod.between, n, length) - lumped(elements, n, length)
     return replace(
         system,
-        load=_present_load(rod),
-        force=_end_force(None, system.supports, released),
-        moments=_end_moments(None, system.supports, released),
-    )
+        start=rod.position[0], end=rod.position[-1], end_angles=rod.angle[[0, -1]],
+        load=_present_load(rod) + (replaced if rod.between else 0.0),
+        force=_end_force(None, system.supports, rod),
+        moments=_end_moments(None, system.supports, rod),
+    )  # fmt: skip
 
 
 def _present_load(rod: Rod) -> FloatArray:
     return rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length)
 
 
-def reach(
-    state: RodState,
-    side: int | None,
-    mode: int,
-    stop: Stop | None = None,
-    *,
-    turn: float = LARGEST_TURN_RAD,
-    before: RodSystem | None = None,
-) -> Reached:
-    """Continue from `state` to an equilibrium.
+def _loads_of(rod: Rod) -> tuple[PointMass | PointForce, ...]:
+    masses = () if rod.weight is None else rod.weight.masses
+    return (*masses, *(action.on_curve for action in rod.point_forces))
 
-    A straight rod is bent if it must bend, or if `side` is given. The continuation ends early at the first state
-    for which `stop` returns True.
-    """
+
+def reach(state: RodState, side: int, mode: int) -> Reached:
+    """Continue from a straight or taut state to an equilibrium. The rod is bent if it must bend."""
     system = state.system
-    straight = is_straight(state) and stop is None
     if system.held and np.linalg.norm(system.chord) > system.length * (1 - 1e-12):
         taut = stretch(state)
         if system.compression is not None and is_straight(state):
-            return follow(taut, stop)
+            return follow(taut)
         if not is_balanced(taut):
             raise InputError(
                 "the ends are as far apart as the rod is long ({length:.6g}), so the rod must be straight, "
@@ -708,12 +665,12 @@ def reach(
                 length=Length(system.length),
             )
         return Reached(taut, 1.0)
-    if straight and system.compression is not None:
+    if system.compression is not None:
         bent = reach(state.under(replace(system, compression=None)), side, mode).state
         reached = follow(bent.under(system))
         # an axially elastic rod does not bend if its ends are only a little closer than its length
         return reached if reached.arrived else follow(state)
-    return leave_straight(state, side, mode) if straight else follow(state, stop, turn=turn, before=before)
+    return leave_straight(state, side, mode)
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
 from math import radians
 
 import numpy as np
@@ -19,13 +18,6 @@ from elastica_cad.mechanics.loads import End, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
-# loads are force * length^2 / stiffness (a straight strip buckles at 2.5); beyond `LAST_EVEN_LOAD`, each load
-# is `LOAD_GROWTH` times the load before
-FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
-    0.25,
-    8.0,
-    1.3,
-)
 SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length of the strip
 
 
@@ -157,7 +149,7 @@ def elastica_between(
                 length, stiffness, samples=samples, start=first, angle=near, gravity=None,
                 supports=Supports("clamped", End(x=False, y=False, angle=far is not None)),
             ),
-            far, gravity, force, side=side, mode=mode,
+            far, gravity, force, side=side,
         )  # fmt: skip
         return ElasticaBetween(bent, _side(bent), mode)
     if force is not None:
@@ -191,36 +183,14 @@ def _bent_by_loads(
     force: ArrayLike | None,
     *,
     side: int,
-    mode: int,
 ) -> Rod:
     load = np.zeros(2) if force is None else _plane_point(force)
     if load is None:
         raise InputError(f"force is {force!r}: give two numbers, each a force / bending stiffness in 1/mm2")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
-    bent = rod
-    for share in _load_fractions(float(norm(load)) * rod.length**2):
-        # do not minimise the energy of a straight rod, because that could bend it to either side
-        settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
-        step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
-        next_rod = step()
-        if _side(next_rod) * _side(bent) < 0:
-            # the strip buckled to the wrong side, so continue from its mirror image
-            next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
-        bent = next_rod
-    if np.ptp(bent.angle) > 0:
-        return bent
     with suppress(InputError):  # `bend` refuses a force below the buckling load of a straight rod
-        return bend(bent, angles=angles, gravity=gravity, force=load, side=side, mode=mode)
-    return bent
-
-
-def _load_fractions(load: float) -> list[float]:
-    steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
-    grown = LAST_EVEN_LOAD
-    while grown < load:
-        steps.append(grown)
-        grown *= LOAD_GROWTH
-    return [float(step) / load for step in steps] + [1.0]
+        return bend(rod, angles=angles, gravity=gravity, force=load, side=side)
+    return bend(rod, angles=angles, gravity=gravity, force=load)
 
 
 def _point(point: object, name: str) -> FloatArray:

@@ -161,6 +161,11 @@ class PointForce:
         object.__setattr__(self, "at", require_place(self.at, "a point force"))
         object.__setattr__(self, "force", tuple(pair(self.force, "the force of a point force").tolist()))
 
+    @property
+    def newtons(self) -> float:
+        """Magnitude of the force, N."""
+        return float(norm(np.array(self.force)))
+
 
 def _require_cut(element: "Pin | Tie") -> None:
     require_declared(type(element), vars(element), NOUNS[type(element)])

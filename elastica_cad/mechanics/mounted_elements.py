@@ -289,7 +289,7 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     if not (rod.between if between is None else between):
         return ()  # do not compute `rod.curve`, which does not exist if the curvature jumps
     curve = rod.curve
-    shape = curve if rod.compression is None or rod.shape is not None else ShapeOfRod.of(rod)
+    shape = ShapeOfRod.of(rod) if rod.shape is None else curve
     if between is None:
         return tuple(_kept(action, curve, shape) for action in rod.between)
     actions = []

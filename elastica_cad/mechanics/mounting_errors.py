@@ -8,8 +8,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import left_of, norm
-from elastica_cad.mechanics.bending import fixed_places, shape_of, state_of, system_of
+from elastica_cad.mechanics.bending import fixed_places, state_of, system_of
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail
+from elastica_cad.mechanics.followed_path import shape_of
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.newton_continuation import newton_step
 from elastica_cad.mechanics.rod import Rod

@@ -9,27 +9,24 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_points import angle_of, norm, unit_vectors
 from elastica_cad.mechanics.discrete_rod import solve_bordered
-from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
+from elastica_cad.mechanics.rod_system import Residual, RodState, Step
 from elastica_cad.refusals import Length
 
 # largest relative error of moments and positions in a rest shape
 TOLERANCE = 1e-10
 # largest rotation of an edge in a step, at which linearised cos and sin are wrong by one eighth
 LARGEST_TURN_RAD = 0.5
+# largest rotation of an edge in a step of a descent that rails or ties may stop
+WATCHED_TURN_RAD = 0.1
 # largest rotation of an edge in a step near a crossing of two branches of equilibria
 SMALL_TURN_RAD = 0.02
 # rotation of all edges in the last Newton step; the next rotation would be about its square
 CONVERGED_RAD = 1e-9
-# accuracy, as a fraction of the path, of the point at which a rail or tie becomes slack or taut
-STOP_SHARE = 1e-3
 # least step, as a fraction of the path; the end of a branch is located with this accuracy
 LEAST_STEP = 1e-7
-
-Stop = Callable[[RodState, float], bool]
-"""Function of a state and of the completed fraction of the path; returns True to stop the continuation."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,103 +118,37 @@ def correct(
     return None
 
 
-LOADS = ("load", "force", "moments")
-"""Fields of `RodSystem` that contain loads."""
-
-
-def between_loads(first: RodSystem, last: RodSystem, part: float) -> RodSystem:
-    """Return the system `last` with loads interpolated from `first` (`part` 0) to `last` (`part` 1)."""
-    return replace(
-        last,
-        **{
-            name: getattr(last, name) - (1 - part) * (getattr(last, name) - getattr(first, name))
-            for name in LOADS
-        },
-    )
-
-
-def follow(
-    state: RodState,
-    stop: Stop | None = None,
-    *,
-    turn: float = LARGEST_TURN_RAD,
-    before: RodSystem | None = None,
-) -> Reached:
+def follow(state: RodState) -> Reached:
     """Continue from a state to an equilibrium by reducing the imbalance of the state to zero in adaptive steps.
 
-    Positions and angles of the ends change linearly from present to required values. The effects of new weight,
-    forces, stiffness and supports grow in the same proportion. The continuation ends early if the branch turns
-    back, or if `stop` returns True.
-
-    Parameters
-    ----------
-    turn : float
-        Largest rotation of an edge in a step, rad.
-    before : RodSystem, optional
-        System with the initial loads, which change linearly to the final loads. By default the loads are constant.
-    """
-    if is_balanced(state):
-        return Reached(_polish(state), 1.0)
-    final = state.system
-    changes = before is not None and any(
-        not np.array_equal(getattr(before, name), getattr(final, name)) for name in LOADS
-    )
-
-    def loaded(t: float) -> RodSystem:
-        # constant loads must return the same system, because a state caches results for its system
-        return between_loads(before, final, t) if before is not None and changes else final
-
-    start = state.under(loaded(0.0)).residual
-
-    def kept(t: float) -> tuple[RodSystem, Residual]:
-        return loaded(t), Residual((1 - t) * start.imbalance, (1 - t) * start.miss)
-
-    reached = trace(kept, state, stop=stop, turn=turn)
-    if reached.arrived:
-        return Reached(_polish(reached.state.under(final)), 1.0)
-    return replace(reached, state=reached.state.under(final))
-
-
-def trace(
-    problem: Callable[[float], tuple[RodSystem, Residual | None]],
-    state: RodState,
-    *,
-    start: float = 0.0,
-    stop: Stop | None = None,
-    turn: float = LARGEST_TURN_RAD,
-) -> Reached:
-    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
+    Errors of positions and angles of the ends, and the effects of new weight, forces, stiffness and supports
+    decrease in the same proportion. The continuation ends early if the branch turns back.
 
     Along a branch, the number of unstable modes changes only at crossings with other branches. Small steps lead
     over these crossings. A long step that changes this number may have reached another branch, so it is shortened.
     """
-    t, step = start, 1.0 - start
+    if is_balanced(state):
+        return Reached(_polish(state), 1.0)
+    start, t, step = state.residual, 0.0, 1.0
     modes: int | None = None
     while t < 1.0:
         t_next = min(t + step, 1.0)
-        system, residual = problem(t_next)
-        corrected = correct(state.under(system), residual, turn=turn)
+        corrected = correct(state, Residual((1 - t_next) * start.imbalance, (1 - t_next) * start.miss))
         long = (
             corrected is not None and float(np.abs(corrected[0].angles - state.angles).max()) > SMALL_TURN_RAD
         )
         if long and modes is None:
-            modes = state.under(problem(t)[0]).discrete.unstable_modes
+            modes = state.discrete.unstable_modes
         if corrected is None or (long and corrected[0].discrete.unstable_modes != modes):
-            step = (t_next - t) / (4 if (t, step) == (start, 1.0 - start) else 2)
+            step = (t_next - t) / (4 if (t, step) == (0.0, 1.0) else 2)
             if step < LEAST_STEP:
                 return Reached(state, t)
             continue
-        stops = stop is not None and stop(corrected[0], t_next)
-        if stops and t_next - t > STOP_SHARE:
-            step = (t_next - t) / 4
-            continue
         state, iterations = corrected
-        if stops:
-            return Reached(state, t_next)
         modes = modes if long else None
         t = t_next
         step *= 2 if iterations <= 4 else 1
-    return Reached(state, 1.0)
+    return Reached(_polish(state), 1.0)
 
 
 def _polish(state: RodState) -> RodState:
@@ -233,17 +164,22 @@ def _polish(state: RodState) -> RodState:
     return state
 
 
-def relax(state: RodState) -> RodState | None:
-    """Return a stable equilibrium that minimises the energy with fixed ends, or None if the minimisation fails."""
+def relax(state: RodState, stop: Callable[[RodState], bool] | None = None) -> RodState | None:
+    """Return a stable equilibrium that minimises the energy with fixed ends, or None if the minimisation fails.
+
+    The first state of the descent for which `stop` returns True is returned as it is.
+    """
     start = _place_ends(state)
     if start is None:
         return None
-    rest = _minimise_energy(start, np.inf)
+    rest = _minimise_energy(start, np.inf, stop)
     # Newton's method may diverge at the kink beyond which a hardening material is much stiffer
-    return _minimise_energy(start, np.pi) if rest is None else rest
+    return _minimise_energy(start, np.pi, stop) if rest is None else rest
 
 
-def _minimise_energy(state: RodState, astray: float) -> RodState | None:
+def _minimise_energy(
+    state: RodState, astray: float, stop: Callable[[RodState], bool] | None
+) -> RodState | None:
     """Minimise the energy in steps that turn an edge by at most `astray`, rad; return None on failure."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
@@ -276,9 +212,10 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * 0.05 * push, step.reactions)
             turned = _turned(step)
-        descended = _descend(state, step, min(1.0, LARGEST_TURN_RAD / turned) if turned else 1.0)
-        if descended is None:
-            return None
+        most = LARGEST_TURN_RAD if stop is None else WATCHED_TURN_RAD
+        descended = _descend(state, step, min(1.0, most / turned) if turned else 1.0)
+        if descended is None or (stop is not None and stop(descended)):
+            return descended
         state = descended
     return None
 
@@ -353,27 +290,13 @@ def stretch(state: RodState) -> RodState:
     return system.state(np.full(system.edges, _nearest_angle(_direction(state), chord)))
 
 
-def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
-    """Continue from a straight state to an equilibrium bent to the chosen side."""
+def leave_straight(state: RodState, side: int, mode: int) -> Reached:
+    """Continue from a straight state to an equilibrium, bent to `side` if the ends must approach each other."""
     system = state.system
     straight = system.state(np.full(system.edges, _direction(state)), state.reactions)
-    if _must_shorten(straight):
-        a, b = system.held_angles
-        turn = 0.0 if a is None or b is None else b - a
-        # if the held end angles differ much, the sign of the difference determines the default side
-        if side is None and mode == 1 and abs(turn) > 0.5:
-            middles = (np.arange(system.edges) + 0.5) / system.edges - 0.5
-            arc = follow(system.state(straight.angles + turn * middles, state.reactions))
-            if arc.arrived and not arc.state.discrete.unstable_modes:
-                return arc
-            rest = relax(arc.state)
-            if rest is not None:
-                return Reached(rest, 1.0)
-        return follow(_buckle_by_shortening(straight, side or 1, mode).under(system))
-    reached = follow(straight)
-    if side is not None and reached.arrived and is_straight(reached.state):
-        return Reached(_buckle_by_load(reached.state, side, mode), 1.0)
-    return reached
+    if must_shorten(straight):
+        return follow(_buckle_by_shortening(straight, side, mode).under(system))
+    return follow(straight)
 
 
 def _direction(state: RodState) -> float:
@@ -395,7 +318,7 @@ def _nearest_angle(near: float, chord: FloatArray) -> float:
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 
 
-def _must_shorten(state: RodState) -> bool:
+def must_shorten(state: RodState) -> bool:
     """Return True if a straight state must bend before its ends can reach their positions."""
     system, miss = state.system, state.residual.miss
     if np.abs(miss).max(initial=0.0) <= 1e-9 * system.length:
@@ -427,63 +350,6 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     if corrected is None:
         raise _not_buckled(length, mode)
     return corrected[0]
-
-
-def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
-    system = state.system
-
-    def scaled(factor: float) -> RodState:
-        return system.loaded(factor).state(state.angles, factor * state.reactions)
-
-    def modes(factor: float) -> int:
-        return scaled(factor).discrete.unstable_modes
-
-    if modes(1.0) < mode:
-        raise InputError(
-            "the load is too small to buckle the straight rod in mode {mode}: increase the load or the "
-            "length, or leave out `side` to keep the rod straight",
-            mode=mode,
-        )
-    low, high = 0.0, 1.0
-    while high - low > 1e-7:
-        middle = (low + high) / 2
-        low, high = (low, middle) if modes(middle) >= mode else (middle, high)
-    shape = buckling_mode(scaled(high), side, mode)[1]
-    shape = shape / np.abs(shape).max()
-    # try smaller and smaller amplitudes, rad, until Newton's method converges
-    for amplitude in (0.2, 0.05, 0.01, 0.002):
-        buckled = _reach_amplitude(system, scaled(high), shape, amplitude, high)
-        if buckled is None or buckled[1] >= 1.0:
-            continue
-        reached = trace(lambda f: (system.loaded(f), None), buckled[0], start=buckled[1])
-        if reached.arrived and is_balanced(reached.state.under(system)):
-            return reached.state.under(system)
-    raise _not_buckled(system.length, mode)
-
-
-def _reach_amplitude(
-    system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
-) -> tuple[RodState, float] | None:
-    """Return the equilibrium that contains the mode `shape` with the given amplitude, and its load factor."""
-    state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
-    for _ in range(25):
-        now = state.under(system.loaded(factor))
-        rows = now.discrete.constraint_rows
-        per_factor = (
-            state.under(system).residual.imbalance - state.under(system.loaded(0.0)).residual.imbalance
-        )
-        off_shape = float(shape @ (state.angles - straight.angles)) - amplitude * float(shape @ shape)
-        angles, border = solve_bordered(
-            *now.discrete.hessian, np.vstack([rows, shape]), columns=np.column_stack([rows.T, per_factor]),
-            right=-now.residual.imbalance, below=-np.append(now.residual.miss, off_shape),
-        )  # fmt: skip
-        state = now.moved(Step(angles, border[:-1]))
-        factor += float(border[-1])
-        if np.abs(angles).max() < 1e-10:
-            return state, factor
-        if not np.isfinite(factor) or np.abs(state.angles - straight.angles).max() > 4 * amplitude:
-            return None
-    return None
 
 
 def buckling_mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:

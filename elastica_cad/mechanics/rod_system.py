@@ -285,9 +285,13 @@ class RodState:
     @cached_property
     def _lawful(self) -> tuple[FloatArray, FloatArray]:
         """Moment / initial stiffness at the nodes (n+1,), 1/mm, and its derivative by the curvature."""
-        system = self.system
-        change = self._hooke_moments / system.stiffness
-        return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)
+        law, change = self.system.law, self.change
+        return (change, np.ones_like(change)) if law is None else law.with_slope(change)
+
+    @cached_property
+    def change(self) -> FloatArray:
+        """Curvature minus natural curvature at the nodes (n+1,), 1/mm."""
+        return self._hooke_moments / self.system.stiffness
 
     @cached_property
     def residual(self) -> Residual:
@@ -301,7 +305,7 @@ class RodState:
     def energy(self) -> float:
         """Elastic energy and potential energy of the loads, divided by the least bending stiffness, 1/mm."""
         system = self.system
-        change = self._hooke_moments / system.stiffness
+        change = self.change
         stored = change**2 / 2 if system.law is None else system.law.energy(change)
         spring = system.stiffness * stored * system.node_lengths
         work = 0.0
@@ -356,7 +360,7 @@ class RodState:
         load = system.load + lumped(self.actions, n + 1, system.length)
         force = nodal_forces(self.discrete.force, load)
         force[[0, -1]] += at_ends(system.length, (*self.actions, *like.point_forces)) * [[1.0], [-1.0]]
-        change = self._hooke_moments / system.stiffness
+        change = self.change.copy()
         turning = turning_nodes(system.supports)
         if system.law is not None and turning:
             # at ends that are free to turn, compute the curvature from the applied moment

@@ -115,8 +115,7 @@ class Bow:
 
     def under(self, loads: Sequence[PointMass | PointForce]) -> Travel:
         """Return the bow under its weight and loads. Its ends stand at the distance of the cord; -y is down."""
-        strip = with_weight(self.strip)
-        return bend_strip(strip, [{"loads": loads, "gravity": strip.sheet.gravity()}])
+        return bend_strip(with_weight(self.strip, self.strip.sheet.gravity()), [{"loads": loads}])
 
 
 def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: Any) -> Bow:

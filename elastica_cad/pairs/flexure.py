@@ -45,7 +45,7 @@ from elastica_cad.geometry.plane_points import (
     unit_vectors,
 )
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
-from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
+from elastica_cad.mechanics.bending import bend_path, snap_percent
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
@@ -762,10 +762,10 @@ class Flexure:
         """Rods on the straight path of the end, which turns uniformly; there are more rods near a snap."""
         shares = np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
         rods = self._moved_end(shares)
-        snaps = [percent for rod in rods if (percent := snap_percent(rod)) is not None]
-        if not snaps:
+        snap = _snap_place(rods, shares)
+        if snap is None:
             return rods
-        near = (snaps[0] / 100 + np.array([-SNAP_SHARE, SNAP_SHARE])).clip(0.0, 1.0)
+        near = (snap + np.array([-SNAP_SHARE, SNAP_SHARE])).clip(0.0, 1.0)
         return self._moved_end(np.union1d(shares, near))
 
     def _moved_end(self, shares: FloatArray) -> Sequence[Rod]:
@@ -785,18 +785,19 @@ class Flexure:
         pulls = -B * np.array([rod.force[-1] for rod in rods])
         force, direction = norm(pulls), np.degrees(angle_of(pulls))
         strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
-        movement = Movement.of(rods)
-        travel = np.degrees(movement.turn) if movement.is_turn else movement.travel
-        snap, jump = None, None
-        for k, rod in enumerate(rods):
-            if (percent := snap_percent(rod)) is not None:
-                snap, jump = float(percent / 100 * travel[-1]), (float(force[k - 1]), float(force[k]))
-                break
+        travel = np.append(0.0, norm(np.diff([rod.chord for rod in rods], axis=0)).cumsum())
+        turns = bool(travel[-1] <= 1e-9 * first.length)
+        if turns:
+            travel = np.degrees(np.abs([rod.angle[-1] - first.angle[-1] for rod in rods]))
+        snap, jump = _snap_place(rods, travel), None
+        if snap is not None:
+            k = int(travel.searchsorted(snap))
+            jump = float(force[k - 1]), float(force[k])
         return FlexureTravel(
             travel, force, energy, np.array([rod.position for rod in rods]), strains.max(axis=1), snap,
             float(energy[-1] - energy[0]),
             _distance(rods[-1].position, second.position) <= REST_SHARE * first.length, jump,
-            "deg" if movement.is_turn else "mm", direction, B * np.array([rod.moment[-1] for rod in rods]),
+            "deg" if turns else "mm", direction, B * np.array([rod.moment[-1] for rod in rods]),
         )  # fmt: skip
 
     @cached_property
@@ -999,6 +1000,14 @@ class Flexure:
             if back is not None:
                 report |= {"largest_force_back_N": back.largest_force, "work_back_N_mm": back.work}
         return report
+
+
+def _snap_place(rods: Sequence[Rod], path: FloatArray) -> float | None:
+    """Return the place on a path (k,), one for each of k rods, at which the first of them snapped, or None."""
+    for k, rod in enumerate(rods):
+        if (percent := snap_percent(rod)) is not None:
+            return float(np.interp(k - 1 + percent / 100, np.arange(path.size), path))
+    return None
 
 
 def _overhang(h: float, r: float) -> float:

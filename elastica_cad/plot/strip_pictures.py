@@ -457,12 +457,14 @@ def travel(moved: Travel) -> Figure:
     _set_title(above, f"{steps} shapes, the last one darkest{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
-    if moved.is_turn:
+    if moved.unit == "deg":
         way, name, force = "turn of the end, degrees", "moment, N mm", moved.turning_moment
-    elif moved.is_still:
-        way, name, force = "change of loads and elements, %", "force, N", moved.support_force
-    else:
+    elif moved.unit == "mm":
         way, name, force = "travel of the end, mm", "force, N", moved.force_along
+    elif moved.unit == "N":
+        way, name, force = "load, N", "largest movement under the load, mm", moved.sag
+    else:
+        way, name, force = "change of rails, pins and cords, %", "force, N", moved.support_force
     below.plot(moved.path_length, force, color=FORCE, marker=".")
     below.set_xlabel(way)
     below.set_ylabel(name, color=FORCE)
@@ -487,7 +489,7 @@ def travel(moved: Travel) -> Figure:
         _paint_legend(below)
     worst = moved.safety.argmin()
     text = (
-        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.place_message(moved.path_length[worst])}, "
+        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.words(moved.places[worst])}, "
         f"safety {number_text(moved.safety[worst], '.2g')}"
     )
     _set_title(below, text, pad=22 if below.get_legend() else 6)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend, has_snapped, part_of_change
+from elastica_cad.mechanics.bending import bend, has_snapped, scaled
 from elastica_cad.mechanics.elements import PointForce
 from elastica_cad.mechanics.loads import Gravity, PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
@@ -32,10 +32,10 @@ def _weight(strip: Strip, share: float = 1.0) -> Weight:
     return Weight(alpha=Profile.interpolate(strip.rod.s, share * section.weight_per_length(parameter)))
 
 
-def with_weight(strip: Strip, gravity: Gravity | None = None) -> Strip:
+def with_weight(strip: Strip, gravity: Gravity) -> Strip:
     """Return a strip that was designed without weight, with its weight per length for `bend_strip`.
 
-    The weight acts as soon as the rod has gravity. Its size does not depend on the length of the `Gravity`.
+    Its size does not depend on the length of the `Gravity`.
     """
     return strip.bent_as(replace(strip.rod_to_bend, gravity=gravity, weight=_weight(strip)))
 
@@ -51,7 +51,7 @@ def bent_under(
         rod, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness, warnings=()
     )
     try:
-        bent = bend(heavy, **(part_of_change(heavy, {"loads": loads}, fraction) if loads else {}))
+        bent = bend(heavy, loads=scaled(loads, fraction)) if loads else bend(heavy)
     except NotConvergedError:
         return None
     return None if has_snapped(bent) or bent.discrete.unstable_modes > rod.discrete.unstable_modes else bent

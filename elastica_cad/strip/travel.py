@@ -1,39 +1,75 @@
 """Bending of a strip by moving its ends along a path: forces, moments, energy, strain and safety at each step."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
-from elastica_cad._values import require_number, require_record
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import dot, norm, unit
-from elastica_cad.mechanics.bending import (
-    Movement,
-    as_steps,
-    bend,
-    bend_path,
-    has_snapped,
-    part_of_change,
-    snap_percent,
-)
-from elastica_cad.mechanics.elements import require_elements
+from elastica_cad.mechanics.bending import Leg, Place, as_steps, path_legs, places_of
+from elastica_cad.mechanics.followed_path import Event
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.mechanics.stability_limits import Course
-from elastica_cad.refusals import Degrees, Length, Refusal, note
+from elastica_cad.refusals import Degrees, Force, Length, Refusal, note
 from elastica_cad.strip.strip import Strip, strip_sideways
+
+TURNED_DEG = 1e-7  # smaller rotations of an end are rounding errors
 
 TITLES = {
     "mm": "travel mm   force N  strain %    margin",
     "deg": " turn deg   force N  strain %    margin",
+    "N": "   load N   force N  strain %    margin",
     "%": "applied %   force N  strain %    margin",
 }
 """Header of the printed table, by the unit of the movement."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Stage:
+    """Leg of a bend with its axis.
+
+    Attributes
+    ----------
+    leg : Leg
+    unit : str
+        "mm" of travel, "deg" of turn, "N" of load, or "%" of another change.
+    travel, turn, load : (float, float)
+        Travel of the end, mm, turn of the end that turns more, degrees, and sum of the magnitudes of the new loads,
+        N, at the start and at the end of the leg.
+    """
+
+    leg: Leg
+    unit: str
+    travel: tuple[float, float]
+    turn: tuple[float, float]
+    load: tuple[float, float]
+
+    def at(self, name: str, t: float) -> float:
+        """Return travel, turn or load at the fraction t of the leg."""
+        begin, end = getattr(self, name)
+        return float(begin + t * (end - begin))
+
+    def value(self, t: float) -> float:
+        """Return the place on the axis at the fraction t of the leg."""
+        name = {"mm": "travel", "deg": "turn", "N": "load"}.get(self.unit)
+        return 100 * t if name is None else self.at(name, t)
+
+    def words(self, t: float) -> Refusal:
+        """Return words for a place, such as "5 mm of travel"."""
+        at = self.value(t)
+        if self.unit == "N":
+            return note("a load of {force:.4g}", force=Force(at))
+        if self.unit == "deg":
+            return note("{degrees:.4g} of turn", degrees=Degrees(at))
+        if self.unit == "mm":
+            return note("{at:.4g} of travel", at=Length(round(at, 2)))
+        return note("{percent:.3g} % of the change", percent=at)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -49,16 +85,20 @@ class Travel:
         Strip before its ends are moved.
     path : tuple of dict
         Keyword arguments of `bend` for each step.
-    side : {+1, -1} or None
-        Side to which a straight strip bulges.
+    stages : tuple of Stage
+        The movement of the ends, and then the growth of the loads, of each step.
+    places : tuple of (int, float)
+        Stage, and fraction of it, at which each shape is.
     rods : tuple of Rod
-        Rest shape at each step.
+        Rest shape at each place.
     end : (k, 2) array
         Position of the end relative to the start, mm.
     travel : (k,) array
         Length of the path of the end relative to the start, from its designed position up to each step, mm.
     turn : (k,) array
         Turn from the design up to each step, rad, of the held end that turns most.
+    load : (k,) array
+        Sum of the magnitudes of the new loads, N.
     start_force, end_force : (k, 2) array
         Forces of the supports on the strip, N.
     start_moment, end_moment : (k,) array
@@ -79,11 +119,13 @@ class Travel:
 
     strip: Strip
     path: tuple[dict[str, Any], ...]
-    side: int | None
+    stages: tuple[Stage, ...]
+    places: tuple[Place, ...]
     rods: tuple[Rod, ...]
     end: FloatArray
     travel: FloatArray
     turn: FloatArray
+    load: FloatArray
     start_force: FloatArray
     end_force: FloatArray
     start_moment: FloatArray
@@ -108,38 +150,29 @@ class Travel:
         ]
         return "\n".join([TITLES[self.unit], *rows, *self.warnings])
 
-    @cached_property
-    def _movement(self) -> Movement:
-        return Movement(np.append(0.0, self.travel), np.append(0.0, self.turn))
-
-    @property
-    def is_turn(self) -> bool:
-        """True if the ends of the strip turn without displacement."""
-        return self._movement.is_turn
-
-    @property
-    def is_still(self) -> bool:
-        """True if the ends do not move, so that only loads, rails, pins or ties change."""
-        return self._movement.is_still
-
     @property
     def unit(self) -> str:
-        """Unit of `path_length`: "mm" of travel, "deg" if the ends only turn, or "%" if they do not move."""
-        return "deg" if self.is_turn else "%" if self.is_still else "mm"
+        """Unit of `path_length`: that of the last stage, "mm" of travel, "deg" of turn, "N" of load, or "%"."""
+        return self.stages[-1].unit
 
     @property
     def path_length(self) -> FloatArray:
-        """Travel (k,), mm, or the turn in degrees if the ends only turn, or percent of the steps if they do not
-        move.
-        """
-        if self.is_still:
-            return 100 * self._movement.progress[1:]
-        return np.degrees(self.turn) if self.is_turn else self.travel
+        """Travel (k,), mm, or turn in degrees, load in newtons or percent of the change; see `unit`."""
+        stages = [(self.stages[k], t) for k, t in self.places]
+        return np.array([stage.value(t) if stage.unit == self.unit else 0.0 for stage, t in stages])
 
     @property
     def displacement(self) -> FloatArray:
         """Largest displacement (k,) of a point of the strip from its design, mm."""
         return np.array([norm(rod.position - self.strip.rod.position).max() for rod in self.rods])
+
+    @property
+    def sag(self) -> FloatArray:
+        """Largest displacement (k,), mm, of a point of the strip from its shape before the stage of each row."""
+        before = [self.stages[k].leg.rod(0.0) for k, _ in self.places]
+        return np.array(
+            [norm(rod.position - rest.position).max() for rod, rest in zip(self.rods, before, strict=True)]
+        )
 
     @property
     def support_force(self) -> FloatArray:
@@ -158,14 +191,9 @@ class Travel:
         start, end = np.abs(last - first)[[0, -1]] * [held.angle for held in self.rods[-1].supports.ends]
         return self.start_moment if start > end else self.end_moment
 
-    def place_message(self, at: float) -> Refusal:
-        """Return words for a place in the movement, such as "5 mm of travel". The unit of `at` is `self.unit`."""
-        at = require_number(at, "the place", self.unit)
-        if self.is_still:
-            return note("{percent:.3g} % of the change", percent=at)
-        if self.is_turn:
-            return note("{degrees:.4g} of turn", degrees=Degrees(at))
-        return note("{at:.4g} of travel", at=Length(round(at, 2)))
+    def words(self, place: Place) -> Refusal:
+        """Return words for a place, such as "5 mm of travel" or "a load of 12 N"."""
+        return self.stages[place[0]].words(place[1])
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -175,28 +203,34 @@ class Travel:
             warnings.append(note(
                 "beyond {place}, a smaller force is enough to move the end. An end moved by a guide can "
                 "stay there, but an end pushed by a weight runs away",
-                place=self.place_message(self.force_falls_at),
+                place=note("{at:.4g} of travel", at=Length(round(self.force_falls_at, 2))),
             ))  # fmt: skip
-        if self.snaps_at is not None:
+        for k, event in self.leaps:
+            warnings.append(note(
+                "the strip snaps into another shape at {place}" if event.other is None else
+                "the strip buckles at {place}, and nothing decides to which side; the result is one of two shapes",
+                place=self.words((k, event.t)),
+            ))  # fmt: skip
+        if self._snaps is not None and not self.leaps:
             warnings.append(
-                note("the strip snaps into another shape at {place}", place=self.place_message(self.snaps_at))
+                note("the strip snaps into another shape at {place}", place=self.words(self._snaps))
             )
-        if self.crosses_at is not None:
+        if self._crosses is not None:
             warnings.append(note(
                 "the strip crosses itself beyond {place}: contact of the strip with itself is not computed",
-                place=self.place_message(self.crosses_at),
+                place=self.words(self._crosses),
             ))  # fmt: skip
-        if self.strained_at is not None:
+        if self._strained is not None:
             warnings.append(note(
                 "the strain exceeds the limit of the material already before the change (limit / strain: "
                 "{safety:.2g}): use another sheet, another curve or smaller loads"
-                if self.strained_at == 0 else
+                if self._strained == (0, 0.0) else
                 "the strain exceeds the limit of the material beyond {place} (limit / strain: {safety:.2g}): use "
                 "another sheet or a smaller change"
-                if self.is_still or any({"loads", "between"} & set(step) for step in self.path) else
+                if self.unit not in ("mm", "deg") or any("between" in step for step in self.path) else
                 "the strain exceeds the limit of the material beyond {place} (limit / strain: {safety:.2g}): use "
                 "thinner material, a longer strip or less travel",
-                place=self.place_message(self.strained_at), safety=self.safety.min(),
+                place=self.words(self._strained), safety=self.safety.min(),
             ))  # fmt: skip
         return tuple(warnings)
 
@@ -210,24 +244,41 @@ class Travel:
         """Stability margins (k,)."""
         return np.array([verdict.margin for verdict in self.verdicts])
 
-    @cached_property
+    @property
     def strained_at(self) -> float | None:
         """First value of `path_length` at which the strain exceeds the limit of the sheet, or None."""
-        return self._first_failure(lambda rod: not self.strip.bent_as(rod).most_strained.judged().allowed)
+        return self._value(self._strained)
 
-    @cached_property
+    @property
     def snaps_at(self) -> float | None:
         """First value of `path_length` at which the strip snaps, or None."""
-        at = self._first_failure(lambda rod: has_snapped(rod) or not stability(rod).stable)
-        if at == 0 and self.is_still and not any({"loads", "between"} & set(step) for step in self.path):
-            # the path changes no ends, loads, rails, pins or ties, so the strip failed while its weight and
-            # curling bent it away from its design: return the percentage of them at which it snapped
-            return snap_percent(self._at_rest) or 0.0
-        return at
+        return self._value(self._snaps)
 
-    @cached_property
+    @property
     def crosses_at(self) -> float | None:
         """First value of `path_length` at which the strip crosses itself, or None."""
+        return self._value(self._crosses)
+
+    def _value(self, place: Place | None) -> float | None:
+        return None if place is None else self.stages[place[0]].value(place[1])
+
+    @cached_property
+    def _strained(self) -> Place | None:
+        return self._first_failure(lambda rod: not self.strip.bent_as(rod).most_strained.judged().allowed)
+
+    @property
+    def leaps(self) -> list[tuple[int, Event]]:
+        """Events in which the strip leaves its shape, each with the number of its stage."""
+        return [(k, event) for k, stage in enumerate(self.stages) for event in stage.leg.path.leaps]
+
+    @cached_property
+    def _snaps(self) -> Place | None:
+        if self.leaps:
+            return self.leaps[0][0], self.leaps[0][1].t
+        return self._first_failure(lambda rod: not stability(rod).stable)
+
+    @cached_property
+    def _crosses(self) -> Place | None:
         return self._first_failure(
             lambda rod: bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
         )
@@ -238,7 +289,7 @@ class Travel:
 
         The result is None if the force increases until the strip snaps or the path ends, or without travel.
         """
-        if self.is_turn or self.is_still:
+        if self.unit != "mm":
             return None
         steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
         # a force that decreases less in a step counts as constant
@@ -248,42 +299,31 @@ class Travel:
             falls &= self.travel[1:] <= self.snaps_at
         return float(self.travel[falls.argmax()]) if falls.any() else None
 
-    @cached_property
-    def _at_rest(self) -> Rod:
-        return bend(self.strip.rod_to_bend)
-
-    def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:
-        """Return the least `path_length` at which `fails` is True, or None.
-
-        Between two steps, the ends move linearly.
-        """
-        rods = (self._at_rest, *self.rods)
-        k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
-        if not k:
-            return None if k is None else 0.0
-        step, good = dict(self.path[k - 1]), rods[k - 1]
-        start, held = good, {"supports": step.pop("supports", good.supports)}
-        changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
-        course = Course.of(replace(good, **held), [step])
-        before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
-        # rails, pins and ties are added or removed at the start of a step
-        at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
-        low, high = 0.0, 0.0 if at_once else 1.0
-        while high - low > 1e-4:
-            middle = (low + high) / 2
-            entry = course.entry(middle) | part_of_change(start, changed, middle)
-            rod = bend(good, **entry, **held, side=self.side if k == 1 else None)
+    def _first_failure(self, fails: Callable[[Rod], bool]) -> Place | None:
+        """Return the first place at which `fails` is True, within 1e-4 of its stage, or None."""
+        first = self.stages[0].leg
+        # a strip that nothing changes is known at the end of its path only
+        before: Place = (0, first.path.visits[0].t % 1.0)
+        if fails(first.rod(0.0)):
+            return before
+        for place, rod in zip(self.places, self.rods, strict=True):
             if fails(rod):
-                high = middle
-            else:
-                low, good = middle, rod
-        return float(before + high * (after - before))
+                stage, high = place
+                low, leg = before[1] if before[0] == stage else 0.0, self.stages[stage].leg
+                while high - low > 1e-4:
+                    middle = (low + high) / 2
+                    low, high = (low, middle) if fails(leg.rod(middle)) else (middle, high)
+                return stage, high
+            before = place
+        return None
 
     def table(self) -> dict[str, FloatArray | BoolArray]:
         """Return columns (k,) by name with their unit, for a data frame or a file."""
         return {
             "travel_mm": self.travel,
             "turn_deg": np.degrees(self.turn),
+            "load_N": self.load,
+            "sag_mm": self.sag,
             "end_x_mm": self.end[:, 0],
             "end_y_mm": self.end[:, 1],
             "force_along_N": self.force_along,
@@ -308,7 +348,11 @@ class Travel:
 
 
 def bend_strip(
-    strip: Strip, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None
+    strip: Strip,
+    path: "ArrayLike | Sequence[Mapping[str, Any]]",
+    *,
+    side: int | None = None,
+    steps: int = 1,
 ) -> Travel:
     """Return forces, energy, strain and stability of a strip whose ends are moved along a path.
 
@@ -326,6 +370,9 @@ def bend_strip(
         Positions of the end at each step, mm, or keyword arguments of `bend` for each step.
     side : {+1, -1}, optional
         Side to which a straight strip bulges, as in `bend`.
+    steps : int
+        Number of shapes that are listed for each stage of each step: first its ends move, then its loads grow.
+        They lie on the same path, whatever their number.
 
     Returns
     -------
@@ -347,12 +394,17 @@ def bend_strip(
     (2.6, None)
     """
     require_record(strip, Strip, "what is bent", "a Strip")
-    rods = bend_path(strip.rod_to_bend, path, side=side)
-    if not rods:
+    legs = path_legs(strip.rod_to_bend, path, side=side)
+    if not legs:
         raise InputError("the path is empty: give the positions to which the end is moved")
     B = strip.bending_stiffness
+    places = places_of(legs, steps)
+    rods = tuple(legs[k].rod(t) for k, t in places)
     end = np.array([rod.chord for rod in rods])
-    movement = Movement.of([strip.rod, *rods])
+    stages = _stages(strip.rod, legs)
+    travel, turn, load = (
+        np.array([stages[k].at(name, t) for k, t in places]) for name in ("travel", "turn", "load")
+    )
     start_force, end_force = B * np.stack([rod.support_forces for rod in rods], axis=1)
     moment = np.array([rod.moment for rod in rods])
     layers = [strip.bent_as(rod).most_strained for rod in rods]
@@ -360,13 +412,13 @@ def bend_strip(
     with np.errstate(divide="ignore"):
         safety = np.array([layer.limit for layer in layers]) / strain
     begins = np.concatenate([end[:1] if len(end) > 1 else [strip.rod.chord], end[:-1]])
-    steps = np.concatenate([end[1:], end[-1:]]) - begins
+    moves = np.concatenate([end[1:], end[-1:]]) - begins
     return Travel(
-        strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end,
-        travel=movement.travel[1:], turn=movement.turn[1:],
+        strip=strip, path=tuple(as_steps(path)), stages=stages, places=places, rods=rods, end=end,
+        travel=travel, turn=np.radians(turn), load=load,
         start_force=start_force, end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
-        force_along=dot(end_force, unit(steps)),
+        force_along=dot(end_force, unit(moves)),
         energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=strain,
         stress=strain * [layer.sheet.youngs_modulus for layer in layers],
@@ -374,3 +426,20 @@ def bend_strip(
         verdicts=tuple(map(stability, rods)),
         sideways=tuple(strip_sideways(rod, strip.layout) for rod in rods),
     )  # fmt: skip
+
+
+def _stages(rod: Rod, legs: Sequence[Leg]) -> tuple[Stage, ...]:
+    """Return the legs, which begin at the shape of `rod`, with their axes."""
+    stages, travel, turn = [], 0.0, 0.0
+    for leg in legs:
+        bent = leg.rod(1.0)
+        held = [end.angle for end in bent.supports.ends]
+        far = float(norm(bent.chord - rod.chord))
+        far = far if far > 1e-9 * rod.length else 0.0
+        turned = float(np.degrees(np.abs(bent.angle - rod.angle)[[0, -1]] * held).max())
+        load = [sum(one.newtons for one in loads) for loads in leg.loads or ((), ())]
+        moves = "mm" if far else "deg" if turned > TURNED_DEG else "%"
+        unit = "N" if load[0] != load[1] and not leg.together else moves
+        stages.append(Stage(leg, unit, (travel, travel + far), (turn, turn + turned), (load[0], load[1])))
+        rod, travel, turn = bent, travel + far, turn + turned
+    return tuple(stages)

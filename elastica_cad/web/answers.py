@@ -44,7 +44,7 @@ from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Refusal, note
-from elastica_cad.report_rows import Row, in_order
+from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.drawing import LAYERS, Drawing
 from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.strip import Placed, Strip
@@ -607,21 +607,17 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
     # direction of the chord, with the full turns of the end angles
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
-    def bend_keywords(part: float, there: FloatArray, turn: float) -> Record:
-        turned = (angles + turn * part * (level - angles)).tolist()
-        new_angles = (angle if clamped else None for angle, clamped in zip(turned, clamped_ends, strict=True))
-        return {"end": end + part * (there - end), "angles": tuple(new_angles)}
-
+    level_ends = [level if clamped else None for clamped in clamped_ends]
+    pulled = bend_strip(strip, [{"end": flat, "angles": level_ends}], steps=BENT_STEPS)
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
-    pulled = bend_strip(strip, [bend_keywords(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - part) for k, part in enumerate(parts)][::-1]
     # if the strip cannot be pressed further, show only the shapes up to the design
     with suppress(ElasticaError):
-        more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
-        pressed = bend_strip(
-            strip, [bend_keywords(part, end - PRESSED_FRACTION * chord, 0.0) for part in more]
-        )
-        frames += [_frame(strip, pressed, k, 1 + PRESSED_FRACTION * part) for k, part in enumerate(more)]
+        pressed = bend_strip(strip, [{"end": end - PRESSED_FRACTION * chord}], steps=PRESSED_STEPS)
+        frames += [
+            _frame(strip, pressed, k, 1 + PRESSED_FRACTION * k / PRESSED_STEPS)
+            for k in range(1, PRESSED_STEPS + 1)
+        ]
     return {"frames": frames}
 
 
@@ -630,6 +626,8 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
     shape, verdict, rows = _stations(bent), travel.verdicts[k], [*strain_rows(bent)]
     if verdict.rating != "stable":
         rows.append(stability_row(bent, verdict))
+    if any(event.t <= travel.places[k][1] for _, event in travel.leaps):
+        rows.append(warning_row(note("snaps on the way; this is the other shape"), "Stability"))
     return {
         "part": round(float(part), 4),
         "force": float(f"{travel.support_force[k]:.3g}"),

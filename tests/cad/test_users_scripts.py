@@ -214,7 +214,7 @@ class TestCadQuery:
                 rib.rod, SHEET, max_width=12
             ),
             r"A Placed is not a curve\. Pass its \.strip": lambda: cq_strips.bent_strip(rib.placed),
-            "a list is not a model": lambda: cq_strips.model_assembly([rib.placed]),
+            "the model is a list": lambda: cq_strips.model_assembly([rib.placed]),
             "buckling is 0: give": lambda: cq_strips.elastica((0, 0), (10, 0), 50, buckling=0),
         }
         for says, slip in slips.items():

@@ -22,9 +22,9 @@ def test_bend_leads_the_ends(drawn, tmp_path):
         "bend", drawn, "--from", 180, 0, "--to", -170, 30, "--end-angle", 250, "--steps", 3, "-o", tmp_path
     )
     shapes = ec.read_curves(tmp_path / "bow-bent.json")
-    assert len(shapes) == 3
+    assert len(shapes) == 4
     table = np.loadtxt(tmp_path / "bow-bent.csv", delimiter=",", skiprows=1)
-    last = table[table[:, 0] == 3]
+    last = table[table[:, 0] == 4]
     assert last[[0, -1], 2:4] == pytest.approx(np.array([[180, 0], [-170, 30]]), abs=1e-5)
     assert last[-1, 4] == pytest.approx(np.radians(250), abs=1e-5)
     rod = ec.optimal_rod(ec.read_curves(drawn)[0])
