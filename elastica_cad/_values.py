@@ -12,8 +12,7 @@ from typing import Any, TypeGuard, cast
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError, quoted
-from elastica_cad.refusals import note
+from elastica_cad.errors import InputError, note, quoted
 
 LARGEST = 1e100
 """Largest permitted number. Its square and cube are finite."""

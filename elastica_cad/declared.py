@@ -18,8 +18,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole
-from elastica_cad.errors import InputError, quoted
-from elastica_cad.refusals import note, sentences
+from elastica_cad.errors import InputError, note, quoted, sentences
 
 Record: TypeAlias = Callable[..., Any]
 """A dataclass with declared fields, or a function with declared parameters."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
-from elastica_cad.refusals import Severity, number_text
+from elastica_cad.errors import Severity, number_text
 
 LABEL_WIDTH = 11
 """Width of the column of labels in text."""

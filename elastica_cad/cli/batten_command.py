@@ -23,7 +23,7 @@ from elastica_cad.cli.options import (
     sheet_options,
 )
 from elastica_cad.cli.voice import answer, say, say_rows, wrote
-from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.errors import InputError, Length, Mass, Share, Strain, rounded_up
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.geometry.plane_points import norm
@@ -31,7 +31,6 @@ from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.cross_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod import camber_of
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
-from elastica_cad.refusals import Length, Mass, Share, Strain
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.strip import Strip
 

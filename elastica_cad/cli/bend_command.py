@@ -48,7 +48,8 @@ from elastica_cad.design.strip_request import (
     strip_record,
 )
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Energy, Force, InputError, Moment, Point, Strain, note, number_text
+from elastica_cad.errors import Length as MmLength
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
@@ -71,8 +72,6 @@ from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import require_flat
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.model.bows import bow
-from elastica_cad.refusals import Energy, Force, Moment, Point, Strain, note, number_text
-from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.held_shape import Reactions
 from elastica_cad.strip.own_weight import with_weight

@@ -25,7 +25,7 @@ from elastica_cad.cli.requested_curves import curve_options, requested_curves, w
 from elastica_cad.cli.strip_options import typed_change
 from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say, say_rows, wrote
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Force, InputError, Length, Strain, number_text
 from elastica_cad.files import save
 from elastica_cad.form_finding.limits import FAR_SHARE, Limits
 from elastica_cad.formats.json_curves import curves_json
@@ -38,7 +38,6 @@ from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, known_rods
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.model.batten import bench_drawing
 from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of, room_for_hole
-from elastica_cad.refusals import Force, Length, Strain, number_text
 from elastica_cad.report_rows import Row, in_order, printed_table, warning_row
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import StripSpec

@@ -35,7 +35,7 @@ from elastica_cad.cli.suggestions import (
 from elastica_cad.cli.voice import answer, exit_code, say, say_rows, say_step, voice, warn, wrote
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.check_report import PlainData, report_check
-from elastica_cad.errors import Change, ElasticaError, InputError, rounded_up
+from elastica_cad.errors import Change, ElasticaError, InputError, Length, Refusal, note, rounded_up
 from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.form_finding.straight_ends import StraightEnds
@@ -48,7 +48,6 @@ from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, measured_points
 from elastica_cad.mechanics.trials import not_tried
-from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.curve_check import common_request
 

@@ -17,16 +17,18 @@ from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_ch
 from elastica_cad.declared import Record
 from elastica_cad.defaults import BAD_INPUT, OUTPUT_CLOSED
 from elastica_cad.errors import (
+    SPELLING,
+    Either,
     ElasticaError,
     InputError,
     NotMetError,
+    ended,
     installed_version,
     near_names,
 )
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import SPELLING, Either, ended
 
 COMMANDS = {
     "new": "new_command:new",

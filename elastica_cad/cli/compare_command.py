@@ -15,10 +15,9 @@ from elastica_cad.design.measuring_sheet import (
     read_measuring,
     read_readings,
 )
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Listed
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, text_file, write_files
-from elastica_cad.refusals import Listed
 from elastica_cad.report_rows import Row
 
 

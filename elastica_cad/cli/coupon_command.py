@@ -12,13 +12,12 @@ from elastica_cad._text import file_word, quote_words
 from elastica_cad.cli.options import LENGTH, POINT, Chosen, given_of, output_options, refuse_idle
 from elastica_cad.cli.suggestions import name_program, refuse_extra_words
 from elastica_cad.cli.voice import answer, say, say_rows, wrote
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, note
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, library_folders, plausible_number, require_flat
-from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 

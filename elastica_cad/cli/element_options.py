@@ -9,10 +9,10 @@ import click
 
 from elastica_cad.cli.options import Chosen, Length, join_options, option_name, option_of
 from elastica_cad.declared import REQUIRED, Field, declared
+from elastica_cad.errors import Force
+from elastica_cad.errors import Mass as Grams
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
-from elastica_cad.refusals import Force
-from elastica_cad.refusals import Mass as Grams
 from elastica_cad.report_rows import Row
 
 RECORDS: dict[str, tuple[type, str]] = {

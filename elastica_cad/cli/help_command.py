@@ -17,8 +17,7 @@ from elastica_cad.design.records import (
     title,
     written,
 )
-from elastica_cad.errors import InputError, near_names, quoted
-from elastica_cad.refusals import Either, Listed
+from elastica_cad.errors import Either, InputError, Listed, near_names, quoted
 
 
 def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:

@@ -17,16 +17,9 @@ from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say, say_rows, say_step, voice, warn
 from elastica_cad.design.design_file import Design, read_design
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.files import read_curves, read_surface
-from elastica_cad.form_finding.nearest_record import Status
-from elastica_cad.formats.drawn_file import CurveList
-from elastica_cad.kit.kit import Kit, left_out
-from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
-from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
-from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
-from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
-from elastica_cad.refusals import (
+from elastica_cad.errors import (
+    ElasticaError,
+    InputError,
     Length,
     Listed,
     Mass,
@@ -37,6 +30,14 @@ from elastica_cad.refusals import (
     one_of_each,
     sentences,
 )
+from elastica_cad.files import read_curves, read_surface
+from elastica_cad.form_finding.nearest_record import Status
+from elastica_cad.formats.drawn_file import CurveList
+from elastica_cad.kit.kit import Kit, left_out
+from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
+from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
+from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
+from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips

@@ -17,7 +17,7 @@ from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.cli.voice import answer, say, say_rows, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Point, Severity
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.formats.curve_writer import FitWarning, write_curves
 from elastica_cad.formats.write_files import File, write_files
@@ -26,7 +26,6 @@ from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.theorem1 import require_bendable
-from elastica_cad.refusals import Point, Severity
 from elastica_cad.report_rows import Row, warning_row
 
 

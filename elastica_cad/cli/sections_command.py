@@ -25,7 +25,7 @@ from elastica_cad.cli.voice import answer, say_rows, say_step, wrote
 from elastica_cad.defaults import RATIO
 from elastica_cad.design.sections_table import compose_section_design
 from elastica_cad.design.toml_text import seen_from
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, Refusal
 from elastica_cad.files import read_surface
 from elastica_cad.form_finding.section_lines import AT_CORNERS, AT_TWO_PLACES, SectionCurve
 from elastica_cad.form_finding.section_spec import (
@@ -47,7 +47,6 @@ from elastica_cad.formats.source_file import require_file
 from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.refusals import Refusal
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.curve_check import check_equilibrium
 

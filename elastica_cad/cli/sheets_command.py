@@ -7,6 +7,7 @@ import click
 
 from elastica_cad._values import counted
 from elastica_cad.cli.voice import answer, say, warn
+from elastica_cad.errors import number_text
 from elastica_cad.mechanics.sheets import (
     PLYWOOD_SOURCE,
     Sheet,
@@ -16,7 +17,6 @@ from elastica_cad.mechanics.sheets import (
     sheet_names,
     sheets_by_kind,
 )
-from elastica_cad.refusals import number_text
 
 SOURCE_LABELS = {
     "thickness": "thickness", "E": "Young's modulus", "nu": "Poisson's ratio", "G": "shear modulus",

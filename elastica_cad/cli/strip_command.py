@@ -46,7 +46,11 @@ from elastica_cad.errors import (
     Change,
     ElasticaError,
     InputError,
+    Length,
+    Listed,
     NotConvergedError,
+    is_reported,
+    note,
 )
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.write_files import check_folder, text_file, write_files
@@ -56,7 +60,6 @@ from elastica_cad.mechanics.elements import Pin
 from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, Listed, is_reported, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.lettering import engraved_names

@@ -29,6 +29,8 @@ from elastica_cad.errors import (
     InputError,
     NotConvergedError,
     Refusal,
+    ended,
+    note,
     quoted,
     toml_slip,
 )
@@ -38,7 +40,6 @@ from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model, interlock_compensated
-from elastica_cad.refusals import ended, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed, Strip
 

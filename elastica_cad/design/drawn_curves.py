@@ -10,13 +10,12 @@ from elastica_cad._types import ArrayLike, FloatArray, Pair
 from elastica_cad.declared import Kind, Option, kind_of
 from elastica_cad.design.records import Reader, reads
 from elastica_cad.design.tables import Formula, Table
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length
 from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.formats.source_file import file_in
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map
-from elastica_cad.refusals import BareLength, Length
 
 Handles: TypeAlias = tuple[Pair, Pair, Pair, Pair]
 

@@ -9,11 +9,10 @@ from elastica_cad._text import plain_name
 from elastica_cad._values import require_record
 from elastica_cad.declared import Field, Option, Record, declared, require_declared
 from elastica_cad.defaults import KERF
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError, Length, Refusal, note
 from elastica_cad.formats.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.model.nesting import Nesting
-from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import strip_names

@@ -9,7 +9,7 @@ from elastica_cad.design.kit_spec import Cutting, HolderKind, HolderSpec, KitSpe
 from elastica_cad.design.records import Reader, fields_of, idle_keys, tables_in, written
 from elastica_cad.design.strip_table import SHARED, CurveLength, SharedKeys, StripKeys
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Listed, Refusal, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet, sheet_keys
 from elastica_cad.model.fixtures import EndFixture
@@ -19,7 +19,6 @@ from elastica_cad.model.model import mirror, repeat, rotate
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.model.plates import PlateOptions, RingOptions
 from elastica_cad.model.spacers import Spacers
-from elastica_cad.refusals import Listed, Refusal, note
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.translations import Language
 

@@ -24,14 +24,13 @@ from elastica_cad.declared import (
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, PairCutting, cutting_keys
 from elastica_cad.design.tables import FORMER_KEYS, OTHER_WORDS, Formula, Table
-from elastica_cad.errors import InputError, near_names, quoted
+from elastica_cad.errors import Either, InputError, Refusal, near_names, note, quoted
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.cross_sections import SECTION_KINDS, Section
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Either, Refusal, note
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style

@@ -6,14 +6,13 @@ import numpy as np
 
 from elastica_cad._values import is_whole, plain_data, require_record
 from elastica_cad.design.check_report import PlainData, report_check
-from elastica_cad.errors import InputError, NotConvergedError, installed_version
+from elastica_cad.errors import FieldName, InputError, Length, NotConvergedError, installed_version, note
 from elastica_cad.form_finding.fairing_request import Smoothing
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.mechanics.elements import NOUNS, Tie
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
 from elastica_cad.mechanics.stability import Stability
-from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.holding_template import (
     distance_between,

@@ -15,7 +15,19 @@ from elastica_cad.declared import TWO_TURNS_RAD, Option
 from elastica_cad.defaults import BORDER
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError, NotConvergedError, StrainError
+from elastica_cad.errors import (
+    Either,
+    FieldName,
+    InputError,
+    Length,
+    Listed,
+    NotConvergedError,
+    Point,
+    StrainError,
+    ended,
+    note,
+    sentences,
+)
 from elastica_cad.form_finding.fairing_request import smooth_curve
 from elastica_cad.form_finding.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -28,7 +40,6 @@ from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.revolution_model import revolve, revolved_strip
 from elastica_cad.model.spacers import Spacers
-from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, ended, note, sentences
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import GravityOption
 from elastica_cad.strip.styles import PLAIN, Style

@@ -15,9 +15,8 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad.errors import InputError, near_names, quoted
+from elastica_cad.errors import InputError, Refusal, ended, near_names, note, quoted, sentences
 from elastica_cad.formats.source_file import LARGEST_NUMBER
-from elastica_cad.refusals import Refusal, ended, note, sentences
 
 Value: TypeAlias = "float | FloatArray"
 

@@ -8,13 +8,13 @@ from math import hypot
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import note
 from elastica_cad.form_finding.limits import STRAIN, ActiveLimit, Places, Room
 from elastica_cad.form_finding.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import note
 
 # largest number of rows of a constraint in a quadratic program, because the linear algebra library starts
 # threads at 64 rows

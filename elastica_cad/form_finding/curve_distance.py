@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.form_finding.constraints import thin_rows
 from elastica_cad.form_finding.limits import Symmetry
 from elastica_cad.form_finding.rod_map import MappedRod, Sensitivities
@@ -15,7 +15,6 @@ from elastica_cad.form_finding.sqp import LocalModel
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.splines import spline_through
-from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline

@@ -5,13 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import Length, NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.splines import bezier_spans, clamped_knots, spline_through
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Length
 
 DEGREE = 4  # least degree for which the curvature has a continuous derivative
 STRAIGHT_RAD = 1e-9  # largest change of direction along a rod, rad, that is only a rounding error

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._values import require_record
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import Angle, ElasticaError, FieldName, InputError, Length, Severity, note
 from elastica_cad.geometry.fairing import Fairing, fair_curve, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD
@@ -28,7 +28,6 @@ from elastica_cad.mechanics.theorem1 import (
     outlier_message,
     require_bendable,
 )
-from elastica_cad.refusals import Angle, FieldName, Length, Severity, note
 
 LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""

@@ -11,10 +11,9 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, numbers, pair, require_positive, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import UNLIMITED_RATIO
-from elastica_cad.errors import InputError, rounded_down, rounded_up
+from elastica_cad.errors import InputError, Length, note, rounded_down, rounded_up
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length, note
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.rod import Rod

@@ -6,13 +6,12 @@ from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from elastica_cad._values import require_executor
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, note
 from elastica_cad.form_finding.limits import Keep, Limits
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.nearest_search import nearest_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import Gravity, Supports, require_curves, whole_number
-from elastica_cad.refusals import note
 
 AHEAD = 64
 """Number of curves of a stream that are submitted at a time: enough for a dozen workers, with little memory."""

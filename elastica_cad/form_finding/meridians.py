@@ -9,7 +9,7 @@ from numpy.polynomial import chebyshev
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, pair, require_number
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.geometry.path import Spline, distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, midpoints, norm, unit_vectors
@@ -17,7 +17,6 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import finite, fit_spline
 from elastica_cad.mechanics.loads import whole_number
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Length
 
 SEARCH_NODES = 96
 """Approximate number of nodes on the whole meridian."""

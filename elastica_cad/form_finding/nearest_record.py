@@ -9,11 +9,10 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import Angle, Either, Length, NotConvergedError, note, sentences
 from elastica_cad.form_finding.limits import MET, ActiveLimit, Keep, Limits, Measure, require_limits
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Angle, Either, Length, note, sentences
 
 if TYPE_CHECKING:
     from elastica_cad.form_finding.nearest_task import SearchPoint

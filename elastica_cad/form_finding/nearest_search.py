@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_record
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, note
 from elastica_cad.form_finding.constraints import MarginLimit, margin_limit
 from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves, leaf_bends
@@ -46,7 +46,6 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.optimal_balance import far_too_heavy
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import note
 
 
 class SearchSettings(NamedTuple):

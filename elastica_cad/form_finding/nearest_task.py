@@ -8,6 +8,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
+from elastica_cad.errors import Length as Mm
 from elastica_cad.form_finding.curve_distance import (
     ClosestDistance,
     Distance,
@@ -28,7 +29,6 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.rod_system import RodSystem
-from elastica_cad.refusals import Length as Mm
 
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60
 _COEFFICIENTS_PER_HALF_TURN = 4.2

@@ -11,11 +11,10 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_number, with_article
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, Listed, Point, note
 from elastica_cad.form_finding.section_lines import IN_PLANE, PlaneSection, collect_section, place_in_words
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along
-from elastica_cad.refusals import Length, Listed, Point, note
 
 FARTHEST_MM = 1e9
 """Largest coordinate, mm."""

@@ -13,7 +13,7 @@ from elastica_cad import _native
 from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_points import cross, left_of
 from elastica_cad.geometry.profile import Profile
@@ -23,7 +23,6 @@ from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, node_w
 from elastica_cad.mechanics.loads import Supports, Weight
 from elastica_cad.mechanics.optimal_balance import tangent_weight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
-from elastica_cad.refusals import BareLength, Length
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, FieldName, InputError, Length, note
 from elastica_cad.form_finding.constraints import (
     AtNodes,
     Constraint,
@@ -35,7 +35,6 @@ from elastica_cad.form_finding.rod_map import MappedRod, Sensitivities, StripGri
 from elastica_cad.form_finding.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
-from elastica_cad.refusals import BareLength, FieldName, Length, note
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._values import require_record
-from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
+from elastica_cad.errors import Change, FieldName, InputError, Length, NotMetError, note, rounded_up
 from elastica_cad.form_finding.nearest_record import NearestRod, Status
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_request, rod_of_request
@@ -16,7 +16,6 @@ from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.theorem1 import crossing_notes
-from elastica_cad.refusals import FieldName, Length, note
 
 
 def solve_rod(spec: RodSpec) -> Rod | NearestRod:

@@ -15,7 +15,17 @@ from elastica_cad._values import (
     require_record,
     several,
 )
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import (
+    Angle,
+    Change,
+    InputError,
+    Length,
+    Listed,
+    NotConvergedError,
+    Point,
+    Span,
+    note,
+)
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Spline, distances, polyline_distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -31,7 +41,6 @@ from elastica_cad.geometry.plane_points import (
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Angle, Change, Length, Listed, Point, Span, note
 
 IN_PLANE = 1e-12
 """Distance below which a vertex is in a plane, as a fraction of the size of the surface."""

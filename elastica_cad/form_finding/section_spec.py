@@ -9,12 +9,11 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray, Triple
 from elastica_cad._values import as_floats, is_whole, require_flag
 from elastica_cad.declared import TWO_TURNS_RAD, Option
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import Angle, InputError, Length, Point, Refusal, note, quoted, sentences
 from elastica_cad.form_finding.plane_sections import FARTHEST_MM
 from elastica_cad.form_finding.section_lines import PlaneSection, SectionCurve, SectionLine, section_curves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along, points_at
-from elastica_cad.refusals import Angle, Length, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
 

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, Listed, note
 from elastica_cad.form_finding.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.equilibrium_check import examine
@@ -23,7 +23,6 @@ from elastica_cad.mechanics.loads import (
     require_tolerance,
 )
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
-from elastica_cad.refusals import Length, Listed, note
 
 _SHORTEST_SHARE = 1e-4  # parameter range below which a part counts as empty, as a fraction of the whole range
 # number of positions that are tried for each support, between its first and its last possible position

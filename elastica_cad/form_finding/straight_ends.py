@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike
+from elastica_cad.errors import Length, Refusal, note
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.mechanics.loads import NaturalCurvature, RestCurvature, Supports
 from elastica_cad.mechanics.theorem1 import measured_points
-from elastica_cad.refusals import Length, Refusal, note
 
 SHORTEST_RUN_IN_MM = 1.0
 """Shortest straight piece that becomes a tab, mm. Shorter pieces are bent with the curve."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad._values import SEEN_APART, distinct_digits
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.formats.edges import Edge, Run, Source, reverse_run, sample_run, size_of
 from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.fairing import (
@@ -36,7 +36,6 @@ from elastica_cad.geometry.plane_points import (
 )
 from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, knot_runs
 from elastica_cad.geometry.tangent_healing import heal_tangents
-from elastica_cad.refusals import Length
 
 # largest gap, mm, between joined ends, because many files have only three decimals
 JOIN_TOLERANCE = 0.01

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_path, several
 from elastica_cad.defaults import UNKNOWN_WIDTH
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, Length, Refusal, note
 from elastica_cad.form_finding.fairing_request import smooth_curve
 from elastica_cad.formats.chains import curve_from_points, curve_from_run
 from elastica_cad.formats.drawing_files import encode_svg
@@ -24,7 +24,6 @@ from elastica_cad.geometry.path import Arc, Line, Spline
 from elastica_cad.geometry.path import Path as Chain
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.drawing import MARK, Drawing, LayeredPath
 
 WRITTEN_SUFFIXES = (".dxf", ".svg", ".json", ".csv")

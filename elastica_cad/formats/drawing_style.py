@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from elastica_cad._values import is_number
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError, Length, quoted
 from elastica_cad.geometry.approximations import as_arcs, as_beziers, as_cubics, as_polyline
 from elastica_cad.geometry.path import Path, require_tolerance_mm
 from elastica_cad.mechanics.sheets import require_name
-from elastica_cad.refusals import Length
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, SHEET
 
 CURVES = ("spline", "bezier", "arc", "polyline")

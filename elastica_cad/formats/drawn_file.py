@@ -13,7 +13,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import counted
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, Listed, NotConvergedError, Point, note, sentences
 from elastica_cad.formats.chains import JoinedRuns, curve_from_run, holes_on_chains, join_runs, near_ends
 from elastica_cad.formats.edges import Edge, Run, Source, sample_run
 from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tolerance, name_source
@@ -21,7 +21,6 @@ from elastica_cad.geometry.fairing import largest_distance
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.plane_points import cross, lengths_along, near_pairs, norm, points_at
-from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 # number of samples along a stroke for each stroke width
 _SAMPLES_PER_WIDTH = 4

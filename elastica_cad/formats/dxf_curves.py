@@ -15,7 +15,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import look_up_unit
-from elastica_cad.errors import InputError, missing_library, quoted
+from elastica_cad.errors import InputError, missing_library, note, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source
 from elastica_cad.formats.placed_curve import flatten_run
@@ -29,7 +29,6 @@ from elastica_cad.formats.source_file import (
     quiet_log,
 )
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.refusals import note
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

@@ -9,11 +9,10 @@ import numpy as np
 
 from elastica_cad._process import interrupts_held
 from elastica_cad._units import look_up_unit
-from elastica_cad.errors import InputError, missing_library
+from elastica_cad.errors import InputError, Length, missing_library, note
 from elastica_cad.form_finding.plane_sections import Mesh, mesh_sections
 from elastica_cad.form_finding.section_spec import Surface
 from elastica_cad.formats.source_file import MESH_SUFFIXES, name_source, quiet_log, require_file
-from elastica_cad.refusals import Length, note
 
 LIKELY_SIZES_MM = (50.0, 20000.0)
 """Range of likely sizes (diagonals of the bounding box), mm, of a model made of strips."""

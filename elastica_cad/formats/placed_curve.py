@@ -8,12 +8,11 @@ from math import dist
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import Change, InputError, rounded_up
+from elastica_cad.errors import Angle, Change, InputError, Length, Point, note, rounded_up
 from elastica_cad.formats.chains import curve_from_run, holes_on_chains, join_runs
 from elastica_cad.formats.edges import Edge, Run, sample_run
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.refusals import Angle, Length, Point, note
 
 # largest deviation of a drawing from its plane: in mm, and as a fraction of the size of the drawing
 NOISE_MM, NOISE_SHARE = 0.05, 1e-3

@@ -14,7 +14,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH, is_in_inches, look_up_unit, read_number, read_offset, read_unit
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError, Length, Listed, note, quoted
 from elastica_cad.formats.chains import curve_from_points
 from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile, ReadUnit
 from elastica_cad.formats.source_file import (
@@ -31,7 +31,6 @@ from elastica_cad.formats.source_file import (
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import corner_points, is_closed, norm
-from elastica_cad.refusals import Length, Listed, note
 
 ALONG = ("distance", "station")
 """Headings of the x column that all curves of a table of offsets share. The first heading found is used."""

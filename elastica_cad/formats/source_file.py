@@ -13,8 +13,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_path
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.refusals import BareLength, FieldName, Length
+from elastica_cad.errors import BareLength, FieldName, InputError, Length, NotConvergedError
 
 FileMark: TypeAlias = tuple[int, int, int] | None
 """Fingerprint of a file (modification time, size and inode number), or None for a missing file."""

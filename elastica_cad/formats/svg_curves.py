@@ -13,7 +13,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError, Length, Listed, note, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source, sample_run
 from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_count, half_last_place
@@ -21,7 +21,6 @@ from elastica_cad.formats.svg_path_data import path_data
 from elastica_cad.formats.svg_shapes import Box, Name, Shape, SvgShapes, view_box
 from elastica_cad.formats.svg_tree import PHYSICAL, SvgTree, read_length, svg_tree, tag
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.refusals import Length, Listed, note
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"

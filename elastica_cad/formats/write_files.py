@@ -16,8 +16,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from elastica_cad._values import require_flag, require_path
-from elastica_cad.errors import InputError
-from elastica_cad.refusals import FieldName
+from elastica_cad.errors import FieldName, InputError
 
 
 def write_text(path: Path, text: str) -> None:

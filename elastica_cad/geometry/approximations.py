@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.path import (
     Path,
     Segment,
@@ -21,7 +21,6 @@ from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.plane_points import norm, place, project, turn_between
 from elastica_cad.geometry.polynomials import raise_degree
 from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, kinks, solved
-from elastica_cad.refusals import Length
 
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 

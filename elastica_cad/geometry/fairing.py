@@ -18,13 +18,12 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.geometry.path import Spline, distances, polyline_distances
 from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import dot, is_smooth_around, left_of, norm, unit_vectors
 from elastica_cad.geometry.splines import bezier_spans, closed_spline, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
-from elastica_cad.refusals import Length
 
 POLYLINE_DEGREE = 4
 FIT_TOLERANCE = 0.05

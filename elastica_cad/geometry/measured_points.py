@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import rounded_up
+from elastica_cad.errors import FieldName, Length, Point, Refusal, note, rounded_up
 from elastica_cad.geometry.plane_points import (
     angle_of,
     cross,
@@ -17,7 +17,6 @@ from elastica_cad.geometry.plane_points import (
     transform_points,
 )
 from elastica_cad.geometry.tangent_healing import Turn
-from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 ORDERS = range(2, 8)
 """Orders of the divided differences that separate noise from shape."""

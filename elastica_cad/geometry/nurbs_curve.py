@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import is_whole, numbers, require_number, require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, note
 from elastica_cad.geometry.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_points import (
@@ -52,7 +52,6 @@ from elastica_cad.geometry.splines import (
     unit_circle_arc,
     whole_degree,
 )
-from elastica_cad.refusals import Length, note
 
 # a tangent cone contains a velocity if its component along the axis of the cone exceeds this fraction of the speed
 _ALONG_SHARE = 1e-9

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number, require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.approximations import cubic_through, smooth_stretches
 from elastica_cad.geometry.path import (
     JOIN,
@@ -23,7 +23,6 @@ from elastica_cad.geometry.path import (
 )
 from elastica_cad.geometry.path_intersections import segment_crossings, self_crossing
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, place, turn_between, unit
-from elastica_cad.refusals import Length
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_number, numbers, require_flag, require_number, require_positive, several
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     angle_of,
@@ -30,7 +30,6 @@ from elastica_cad.geometry.plane_points import (
 )
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.splines import SplineFunction, is_clamped
-from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
 """An arc that rises less than this above its chord, mm, is replaced by a line."""

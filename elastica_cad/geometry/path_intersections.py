@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length
 from elastica_cad.geometry.path import JOIN, Line, Path, Segment, Spline, chords, meets, trim_segment
 from elastica_cad.geometry.plane_points import boxes_meet, cross, norm
-from elastica_cad.refusals import BareLength, Length
 
 IndexArray: TypeAlias = NDArray[np.intp]
 

@@ -18,7 +18,7 @@ from elastica_cad._values import (
     require_number,
     require_record,
 )
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError, Length, quoted
 from elastica_cad.geometry import curvature_zeros as zeros
 from elastica_cad.geometry.curvature_zeros import ZeroKind, line_places
 from elastica_cad.geometry.nurbs_curve import (
@@ -35,7 +35,6 @@ from elastica_cad.geometry.nurbs_curve import (
 from elastica_cad.geometry.plane_points import norm, project
 from elastica_cad.geometry.self_intersections import find_self_intersections
 from elastica_cad.geometry.splines import adaptive_spline, finite, is_clamped
-from elastica_cad.refusals import Length
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,11 +6,10 @@ from itertools import combinations
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.plane_points import cross, homogeneous, place, project
 from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
-from elastica_cad.refusals import Length
 
 _MOST_HALVINGS = 30
 

@@ -11,7 +11,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive
-from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.errors import InputError, Length, NotConvergedError, Point, note, quoted
 from elastica_cad.geometry.plane_points import (
     FEWEST_AROUND,
     begun_at,
@@ -27,7 +27,6 @@ from elastica_cad.geometry.plane_points import (
     unit_vectors,
 )
 from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule, raise_degree
-from elastica_cad.refusals import Length, Point, note
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
 """Least length of a domain, and largest absolute value of a knot."""

@@ -9,8 +9,7 @@ from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 from elastica_cad._process import interrupts_held
-from elastica_cad.errors import MissingDependencyError, how_to_install, installed_version
-from elastica_cad.refusals import note
+from elastica_cad.errors import MissingDependencyError, how_to_install, installed_version, note
 
 Shape: TypeAlias = Any
 """TopoDS_Shape, or an object of build123d or CadQuery that wraps a TopoDS_Shape."""

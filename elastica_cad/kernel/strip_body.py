@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict
 
 from elastica_cad._text import printable
 from elastica_cad._types import ArrayLike
-from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.errors import InputError, Length, note, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path, Spline
 from elastica_cad.kernel.occt import face_frame, make_face, make_sheets, make_wire, sub_shapes
@@ -21,7 +21,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.model.collisions import missing_slots, self_contact
-from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, bent_colors

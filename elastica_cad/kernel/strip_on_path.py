@@ -8,7 +8,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any
 
 from elastica_cad._values import is_number, is_one_of, is_series, several
-from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
+from elastica_cad.errors import InputError, Length, UnknownOptionError, note, refuse_unknown
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -26,7 +26,6 @@ from elastica_cad.kernel.strip_body import (
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length, note
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip

@@ -9,13 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from elastica_cad.design.kit_spec import Cutting
-from elastica_cad.errors import how_to_install
+from elastica_cad.errors import Listed, how_to_install
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, write_files
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
-from elastica_cad.refusals import Listed
 from elastica_cad.strip.drawing import Drawing
 
 

@@ -12,7 +12,7 @@ from elastica_cad.design.kit_spec import HolderKind, KitSpec
 from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import StripEntry
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import FieldName, Length, Listed, NotConvergedError, note, sentences
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -28,7 +28,6 @@ from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_ro
 from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, numbered, tips_below
 from elastica_cad.model.rocking import rocking_tabs
-from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
 from elastica_cad.strip.clamp_errors import can_snap
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.lettering import numbers_note

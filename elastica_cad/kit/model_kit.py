@@ -15,6 +15,7 @@ from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.design.measuring_sheet import measuring_of, measuring_page
 from elastica_cad.design.model_report import compose_start_page
+from elastica_cad.errors import one_of_each
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.write_files import File, check_folder, text_file, write_json, write_text
 from elastica_cad.geometry.path import Path as ClosedPath
@@ -25,7 +26,6 @@ from elastica_cad.model.cut_rows import CutListRow, Stock
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
-from elastica_cad.refusals import one_of_each
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.pieces import Piece

@@ -10,13 +10,13 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._text import distinct, file_word
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
+from elastica_cad.errors import FieldName, Length, Refusal, note
 from elastica_cad.files import save, step_trouble
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.formats.write_files import File, text_file, write_json
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.pairs.flexure import STATES, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
-from elastica_cad.refusals import FieldName, Length, Refusal, note
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,16 @@ from elastica_cad._values import (
     require_flag,
     require_record,
 )
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import (
+    Degrees,
+    FieldName,
+    InputError,
+    Length,
+    NotConvergedError,
+    Point,
+    Refusal,
+    note,
+)
 from elastica_cad.geometry.plane_points import midpoints, norm
 from elastica_cad.mechanics.elements import (
     Element,
@@ -60,7 +69,6 @@ from elastica_cad.mechanics.newton_continuation import (
 )
 from elastica_cad.mechanics.rod import Rod, require_rod, resample
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
-from elastica_cad.refusals import Degrees, FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 

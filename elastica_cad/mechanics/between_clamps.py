@@ -9,14 +9,13 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, note
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import End, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Length, note
 
 SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length of the strip
 

@@ -7,12 +7,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import counted, is_number, numbers, require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length, Listed, note, sentences
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import USUAL_RATIO, Grain, Range, Sheet
-from elastica_cad.refusals import BareLength, Length, Listed, note, sentences
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, NotConvergedError, note, sentences
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.elements import require_free_between
@@ -12,7 +12,6 @@ from elastica_cad.mechanics.loads import Supports
 from elastica_cad.mechanics.rod import CurlingLaw, Rod, require_rod
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.tolerances import feels_modulus
-from elastica_cad.refusals import Length, note, sentences
 
 
 @dataclass(frozen=True, eq=False)

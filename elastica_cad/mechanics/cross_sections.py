@@ -11,10 +11,9 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import alike, is_whole, numbers, require_number, require_record
 from elastica_cad.declared import Option
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import BareLength, FieldName, InputError, Length, quoted
 from elastica_cad.mechanics.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import BareLength, FieldName, Length
 
 MOST_LEAVES = 50
 """Largest number of plies; with more plies a stack would be as smooth as a taper."""

@@ -17,11 +17,10 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import pair, require_flag, require_positive, several
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError, Length, Point, Refusal, note
 from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, PlaneCurve
 from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, unit_vectors
 from elastica_cad.mechanics.loads import Gravity, Place, PointMass, Supports, Weight, require_place
-from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 _AT = Option("Place along the curve, or a point (x, y) near it.", "mm")
 _HOLE = Option("Diameter of the hole in the strip for a cord or screw; 0 for none.", "mm", least=0)

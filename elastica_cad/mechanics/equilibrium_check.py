@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError, NotConvergedError
+from elastica_cad.errors import ElasticaError, Length, Listed, NotConvergedError, note
 from elastica_cad.geometry.fairing import largest_distance, smooth_through
 from elastica_cad.geometry.measured_points import MeasuredPoints
 from elastica_cad.geometry.nurbs_curve import curvature_slope
@@ -38,7 +38,6 @@ from elastica_cad.mechanics.unbent_ends import (
     straightened,
     without_bend_at,
 )
-from elastica_cad.refusals import Length, Listed, note
 
 if TYPE_CHECKING:
     from elastica_cad.geometry.control_point_constraints import Constraint

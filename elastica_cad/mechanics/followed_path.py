@@ -27,6 +27,7 @@ from elastica_cad.mechanics.mounted_elements import (
 from elastica_cad.mechanics.newton_continuation import (
     SMALL_TURN_RAD,
     correct,
+    first_bulge,
     follow,
     is_straight,
     newton_step,
@@ -433,7 +434,7 @@ def _left(segment: Segment, before: Visit, t: float, side: int | None) -> Event:
     buckles = t == before.t or abs(lean) < 0.5
     if t == before.t:  # unstable from the start
         lean = -float(mode @ later.residual.imbalance) / later.scale
-    left = 1.0 if _bulge(mode) > 0 else -1.0
+    left = 1.0 if first_bulge(mode) > 0 else -1.0
     # if the change of loads and ends does not decide, the rod moves to the left
     decided = abs(lean) > (1e-9 if t == before.t else 0.5)
     first = side * left if side and buckles else float(np.sign(lean)) if decided else left
@@ -449,12 +450,6 @@ def _left(segment: Segment, before: Visit, t: float, side: int | None) -> Event:
     differ = len(found) > 1 and np.abs(found[0].state.angles - found[1].state.angles).max() > PUSH_RAD / 4
     after, other = (*found, None, None)[:2]
     return Event(t, "buckle" if buckles else "snap", before, after, other if differ else None)
-
-
-def _bulge(turns: FloatArray) -> float:
-    """Return the signed size of the first bulge that turns of the edges cause, positive to the left."""
-    bulge = np.cumsum(turns)
-    return float(bulge[(np.abs(bulge) > 0.3 * np.abs(bulge).max()).argmax()])
 
 
 def not_found(t: float) -> NotConvergedError:

@@ -7,14 +7,13 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import EqualByValue, is_number, numbers, require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.cross_sections import Section, SectionLayer, at_stations
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.section_limits import LIMIT_SLACK, ScaleRange, matched, positive
 from elastica_cad.mechanics.sheets import PLAUSIBLE, Sheet
-from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
 """Relative tolerance of the limits on stiffness, larger than the error 1e-6 of the stiffness between nodes."""

@@ -10,7 +10,16 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_up
+from elastica_cad.errors import (
+    ElasticaError,
+    FieldName,
+    InputError,
+    Length,
+    Listed,
+    NotConvergedError,
+    note,
+    rounded_up,
+)
 from elastica_cad.geometry.path import point
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm
@@ -59,7 +68,6 @@ from elastica_cad.mechanics.theorem1 import (
     is_about_kinks,
     refused,
 )
-from elastica_cad.refusals import FieldName, Length, Listed, note
 
 TOLERANCE = 1e-6
 """Largest error of the stiffness profile, relative to its largest value. The extremes of the profile are exact."""

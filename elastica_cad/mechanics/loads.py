@@ -24,11 +24,10 @@ from elastica_cad._values import (
     with_article,
 )
 from elastica_cad.declared import Option
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import FieldName, InputError, Length, Point, note, quoted
 from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, CurvatureZero, PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import finite
-from elastica_cad.refusals import FieldName, Length, Point, note
 
 
 @dataclass(frozen=True)

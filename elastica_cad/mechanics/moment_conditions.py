@@ -24,7 +24,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import EqualByValue
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import Length, Listed, NotConvergedError, Span, note
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, unit
 from elastica_cad.geometry.polynomials import (
@@ -62,7 +62,6 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, require_held
 from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels, nearest_of
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, refused
-from elastica_cad.refusals import Length, Listed, Span, note
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,9 +9,8 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length
 
 _ROUNDING_SHARE = 1e-12
 

@@ -9,11 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import Length, NotConvergedError
 from elastica_cad.geometry.plane_points import angle_of, norm, unit_vectors
 from elastica_cad.mechanics.discrete_rod import solve_bordered
 from elastica_cad.mechanics.rod_system import Residual, RodState, Step
-from elastica_cad.refusals import Length
 
 # largest relative error of moments and positions in a rest shape
 TOLERANCE = 1e-10
@@ -343,7 +342,8 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
         system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
         moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),
     )  # fmt: skip
-    pressure, shape = buckling_mode(first.state(state.angles), side, mode)
+    values, shapes = first.state(state.angles).discrete.lowest_modes(mode)
+    pressure, shape = float(values[-1]) / edge, shapes[-1] * side * np.sign(first_bulge(shapes[-1]))
     amplitude = np.sqrt(2 * (length - chord) / (edge * float(shape @ shape)))
     guess = first.state(state.angles + amplitude * shape, pressure * tangent[list(system.held)])
     corrected = correct(guess, turn=2.0, damping=1 / 64, most=40)
@@ -352,16 +352,10 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     return corrected[0]
 
 
-def buckling_mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """Return eigenvalue number `mode` (from 1), 1/mm2, of the second variation per length, and its eigenvector.
-
-    The first half-wave is to the left for `side` 1, and to the right for `side` -1.
-    """
-    values, vectors = state.discrete.lowest_modes(mode)
-    shape = vectors[mode - 1]
-    bulge = np.cumsum(shape)
-    first = (np.abs(bulge) > 0.3 * np.abs(bulge).max()).argmax()
-    return float(values[mode - 1]) / state.system.edge_length, shape if side * bulge[first] > 0 else -shape
+def first_bulge(turns: FloatArray) -> float:
+    """Return the signed size of the first bulge that turns (n,) of the edges cause, positive to the left."""
+    bulge = np.cumsum(turns)
+    return float(bulge[(np.abs(bulge) > 0.3 * np.abs(bulge).max()).argmax()])
 
 
 def _not_buckled(length: float, mode: int) -> NotConvergedError:

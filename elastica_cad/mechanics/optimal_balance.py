@@ -10,7 +10,7 @@ from typing import NoReturn
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad.errors import FieldName, InputError, Length, NotConvergedError, note, rounded_up
 from elastica_cad.geometry.polynomials import PanelFunction
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.cross_sections import Section
@@ -32,7 +32,6 @@ from elastica_cad.mechanics.moment_conditions import (
 from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import NotRealizable, refused
-from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
 """Least stiffness of a strip that can be built, as a fraction of its largest stiffness."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.nurbs_curve import curvature, curvature_slope
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import midpoints, norm, numbers_in_groups
@@ -29,7 +29,6 @@ from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.mechanics.loads import ExcessCurvature, Gravity, NaturalCurvature, Weight
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
-from elastica_cad.refusals import Length
 
 # last Legendre coefficients of a resolved function, as a fraction of its largest value
 RESOLVED = 1e-11

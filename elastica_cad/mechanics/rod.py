@@ -13,6 +13,7 @@ from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive, with_article
 from elastica_cad.errors import InputError
+from elastica_cad.errors import Length as Mm
 from elastica_cad.geometry.plane_curve import DEGREE, SURVEY_POINTS, PlaneCurve, integrate_tangents
 from elastica_cad.geometry.plane_points import angle_of, left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.polynomials import gauss_rule
@@ -40,7 +41,6 @@ from elastica_cad.mechanics.loads import (
     whole_number,
 )
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
-from elastica_cad.refusals import Length as Mm
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1 import EquilibriumCheck, InflectionLine

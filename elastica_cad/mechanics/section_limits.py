@@ -8,9 +8,8 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import SEEN_APART, numbers
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, note
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
-from elastica_cad.refusals import note
 
 STRAIN_SLACK = SEEN_APART
 """Relative tolerance of the strain limit, larger than the error of a spline fitted to a curve at the limit."""

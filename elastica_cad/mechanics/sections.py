@@ -16,12 +16,11 @@ from elastica_cad._values import (
     require_positive,
     require_record,
 )
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError
+from elastica_cad.errors import Length as Mm
 from elastica_cad.mechanics.cross_sections import Section, SectionLayer, at_stations
 from elastica_cad.mechanics.section_limits import ScaleRange, matched, positive
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import BareLength
-from elastica_cad.refusals import Length as Mm
 
 SETTLED = 1e-12
 """Relative error of the stiffness below which the search for a width ends after one more step."""

@@ -22,10 +22,19 @@ from elastica_cad._toml import parse_toml, toml_string
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, is_one_of, require_number, require_path, require_record
 from elastica_cad.declared import Field, Option, declared, require_declared
-from elastica_cad.errors import InputError, quoted, toml_slip
+from elastica_cad.errors import (
+    Either,
+    FieldName,
+    InputError,
+    Length,
+    Refusal,
+    note,
+    quoted,
+    sentences,
+    toml_slip,
+)
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
-from elastica_cad.refusals import Either, FieldName, Length, Refusal, note, sentences
 
 SCHEMA = 1
 

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, note
 from elastica_cad.geometry.plane_points import cross, dot, left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
@@ -23,7 +23,6 @@ from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod, require_rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
-from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
 """Constant 0.63 in the torsional stiffness of a rectangle, G w h^3/3 (1 - 0.63 h/w), by St Venant.

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_record
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, note
 from elastica_cad.geometry.plane_points import angle_of, at_sign_changes, left_of, midpoints
 from elastica_cad.mechanics.discrete_rod import (
     DiscreteRod,
@@ -19,7 +19,6 @@ from elastica_cad.mechanics.discrete_rod import (
 )
 from elastica_cad.mechanics.loads import Supports, turning_nodes
 from elastica_cad.mechanics.rod import Rod, require_rod
-from elastica_cad.refusals import note
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,14 +8,13 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_record
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, Point
 from elastica_cad.mechanics.bending import as_steps, first_visit, segment_to, system_of
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.followed_path import Event, followed
 from elastica_cad.mechanics.loads import PointMass
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import RodSystem
-from elastica_cad.refusals import Point
 
 Path: TypeAlias = "ArrayLike | Sequence[Mapping[str, Any]]"
 

@@ -9,7 +9,19 @@ import numpy as np
 from elastica_cad._text import html_text
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, pair, require_number
-from elastica_cad.errors import Change, ElasticaError, InputError
+from elastica_cad.errors import (
+    Angle,
+    Change,
+    Degrees,
+    ElasticaError,
+    FieldName,
+    InputError,
+    Length,
+    Listed,
+    Refusal,
+    note,
+    sentences,
+)
 from elastica_cad.geometry.fairing import smooth_for_corners
 from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_curve import Break, CurvatureZero, PlaneCurve, TangentBreak, clamp_ends
@@ -22,7 +34,6 @@ from elastica_cad.mechanics.loads import (
     Supports,
     require_curve,
 )
-from elastica_cad.refusals import Angle, Degrees, FieldName, Length, Listed, Refusal, note, sentences
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, numbers, require_executor, require_positive, require_record
-from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.errors import InputError, Length, NotConvergedError, quoted
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped, system_of
@@ -20,7 +20,6 @@ from elastica_cad.mechanics.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
 from elastica_cad.mechanics.sections import SheetCurl
 from elastica_cad.mechanics.sheets import Range, Sheet
-from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
 """Loads at a free end up to this fraction of the largest force or moment in the rod count as 0."""

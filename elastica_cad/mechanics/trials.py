@@ -1,7 +1,7 @@
 """Bound on computations that no option requests: trials of changes, and the effect of a weight left out."""
 
+from elastica_cad.errors import Refusal, note
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.refusals import Refusal, note
 
 MOST_PIECES = 2000
 """Largest number of polynomial pieces of a curve for which anything is computed without a request.

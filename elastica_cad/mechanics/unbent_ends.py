@@ -11,14 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
+from elastica_cad.errors import Length, NotConvergedError, Refusal, note, rounded_down, rounded_up
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.plane_points import homogeneous, norm, project
 from elastica_cad.geometry.splines import elevate_degree
 from elastica_cad.mechanics.elements import AT_JOINT_SHARE
 from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
 from elastica_cad.mechanics.theorem1 import AT_END_SHARE
-from elastica_cad.refusals import Length, Refusal, note
 
 MEANT_SHARE = 0.01
 """Inaccuracy of a drawn end that is meant to be unbent.

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record, several, with_article
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.sheets import sheet_color
@@ -17,7 +17,6 @@ from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture, PlacedTab, ta
 from elastica_cad.model.frames import Rib, SlottedFrame
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring
-from elastica_cad.refusals import note
 from elastica_cad.strip.holding_template import angle_text, freedom_text, held_ends
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_colors, bent_sheets

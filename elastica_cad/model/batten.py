@@ -10,7 +10,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import numbers, require_record
-from elastica_cad.errors import FaultError, InputError, NotConvergedError
+from elastica_cad.errors import FaultError, FieldName, InputError, Length, NotConvergedError, note
 from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Line, Path
@@ -22,7 +22,6 @@ from elastica_cad.mechanics.cross_sections import LeavesLaw, RoundLaw, Thickness
 from elastica_cad.mechanics.loads import Gravity, Supports, Weight
 from elastica_cad.mechanics.rod import Rod, camber_of, csv_text
 from elastica_cad.model.cut_rows import CutList, cut_list
-from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.report_rows import DECIMALS
 from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import ends_message

@@ -14,6 +14,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
+from elastica_cad.errors import Length, Point, note
 from elastica_cad.geometry.plane_points import dot, left_of, near_pairs, norm, turns_along, unit_vectors
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.model.interlocking import (
@@ -24,7 +25,6 @@ from elastica_cad.model.interlocking import (
     slot_width,
     strip_thickness,
 )
-from elastica_cad.refusals import Length, Point, note
 from elastica_cad.strip.slots import slot_cut
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 

@@ -12,12 +12,20 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import EqualByValue, and_more, require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import POCKET_CLEARANCE
-from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.errors import (
+    Angle,
+    BareLength,
+    InputError,
+    Length,
+    Refusal,
+    both_names,
+    note,
+    refuse_unknown,
+)
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Arc, Path, Segment
 from elastica_cad.geometry.plane_points import left_of, points_at, unit, unit_vectors
 from elastica_cad.mechanics.sheets import Color
-from elastica_cad.refusals import Angle, BareLength, Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, StripEnd, Tab
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners

@@ -12,6 +12,7 @@ from elastica_cad._values import is_number, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError
+from elastica_cad.errors import Length as Mm
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise, self_crossing
@@ -29,7 +30,6 @@ from elastica_cad.model.plates import (
     plate_with,
     rectangle_about,
 )
-from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text
 from elastica_cad.strip.outline import ENDS, StripEnd

@@ -7,10 +7,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_series
-from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.errors import Degrees, FieldName, InputError, Length, NotConvergedError, note, quoted
 from elastica_cad.model.fixtures import EndFixture, Key, PlacedTab
 from elastica_cad.model.plates import BasePlate
-from elastica_cad.refusals import Degrees, FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key

@@ -15,11 +15,10 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import CLEARANCE
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Angle, InputError, Length, Listed, note, sentences
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import left_of, norm, unit
 from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
-from elastica_cad.refusals import Angle, Length, Listed, note, sentences
 from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.slots import Relief, Slot
 from elastica_cad.strip.strip import (

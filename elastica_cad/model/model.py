@@ -12,7 +12,7 @@ from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike, Takes, Triple, required
 from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, quoted, refuse_options_unlike
+from elastica_cad.errors import InputError, Length, note, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet, require_name
 from elastica_cad.model.cut_rows import CutList, cut_list
@@ -23,7 +23,6 @@ from elastica_cad.model.interlocking import Joint, interlock
 from elastica_cad.model.nesting import NestedSheet, nest_pieces
 from elastica_cad.model.plate_pairs import end_plates, facing_plates
 from elastica_cad.model.plates import BasePlate, Ring, RingOptions, base_plate, numbered
-from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import compensate_widths
 from elastica_cad.strip.pieces import (

@@ -10,10 +10,9 @@ import numpy as np
 from elastica_cad._values import require_number, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import KERF
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, FieldName, InputError, Length, note
 from elastica_cad.geometry.path import Path
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import BareLength, FieldName, Length, note
 from elastica_cad.strip.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.strip.pieces import Piece
 

@@ -8,10 +8,9 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Either, FieldName, InputError, Length, Point, note
 from elastica_cad.geometry.path import Arc, Line, Path, Segment
 from elastica_cad.geometry.plane_points import unit_vectors
-from elastica_cad.refusals import Either, FieldName, Length, Point, note
 
 Side: TypeAlias = Literal["bottom", "top", "start", "end"]
 SIDES: tuple[Side, ...] = get_args(Side)

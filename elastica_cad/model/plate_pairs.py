@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad._values import require_positive
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import Angle, InputError, Length, NotConvergedError, Refusal, note, sentences
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import Key, PlacedTab, place_tabs, tabs_to_hold
@@ -39,7 +39,6 @@ from elastica_cad.model.plates import (
     up_to_tenth,
     with_shoulders,
 )
-from elastica_cad.refusals import Angle, Length, Refusal, note, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key

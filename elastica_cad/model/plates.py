@@ -11,7 +11,18 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_flag, require_number, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
-from elastica_cad.errors import FaultError, InputError, refuse_unknown
+from elastica_cad.errors import (
+    Angle,
+    Degrees,
+    FaultError,
+    FieldName,
+    InputError,
+    Point,
+    both_names,
+    note,
+    refuse_unknown,
+)
+from elastica_cad.errors import Length as Mm
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
@@ -32,8 +43,6 @@ from elastica_cad.geometry.plane_points import (
 from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, refuse_other_ends
-from elastica_cad.refusals import Angle, Degrees, FieldName, Point, both_names, note
-from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, engravable, engraved_names, text_width
 from elastica_cad.strip.outline import ENDS, StripEnd

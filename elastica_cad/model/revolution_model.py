@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record, several
 from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
-from elastica_cad.errors import FaultError, InputError
+from elastica_cad.errors import FaultError, FieldName, InputError, Length, ended, note, sentences
 from elastica_cad.form_finding.meridians import Meridian
 from elastica_cad.form_finding.meridians import meridian as make_meridian
 from elastica_cad.geometry.frame import Frame
@@ -27,7 +27,6 @@ from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import add_second_plates
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.model.spacers import add_spacers
-from elastica_cad.refusals import FieldName, Length, ended, note, sentences
 from elastica_cad.strip.held_shape import about, deviation_from
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.makeable_strip import compensate_within, refuse_broken

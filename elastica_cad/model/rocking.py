@@ -6,7 +6,16 @@ from functools import cache, partial
 import numpy as np
 
 from elastica_cad._values import and_more
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import (
+    Angle,
+    Change,
+    FieldName,
+    InputError,
+    Length,
+    NotConvergedError,
+    note,
+    sentences,
+)
 from elastica_cad.model.fixtures import PlacedTab, crowded_blocks, end_fixtures
 from elastica_cad.model.frames import add_feet
 from elastica_cad.model.held_tabs import (
@@ -18,7 +27,6 @@ from elastica_cad.model.held_tabs import (
 )
 from elastica_cad.model.plate_pairs import fitting_tabs, pair_with_tabs, with_tabs
 from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length, tabs_of
-from elastica_cad.refusals import Angle, Change, FieldName, Length, note, sentences
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Placed, distinct_names, require_placed
 from elastica_cad.strip.tab_seats import TabSeat

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad._values import several
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError, Length, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import box_about, left_of, near_pairs, norm, unit, unit_vectors
@@ -26,7 +26,6 @@ from elastica_cad.model.plates import (
     rectangle_about,
     tabs_of,
 )
-from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.lettering import centred_text
 from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.uncuttable_parts import limits_or_default

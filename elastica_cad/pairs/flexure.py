@@ -25,9 +25,14 @@ from elastica_cad._values import (
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import (
     FaultError,
+    FieldName,
+    Force,
     InputError,
+    Length,
     NotConvergedError,
+    Refusal,
     StrainError,
+    note,
     quoted,
     rounded_down,
     rounded_up,
@@ -52,7 +57,6 @@ from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
-from elastica_cad.refusals import FieldName, Force, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import Drawing, cut_paths
 from elastica_cad.strip.flat_pattern import in_short_pieces

@@ -8,14 +8,13 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._values import EqualByValue
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError
 from elastica_cad.form_finding.fairing_request import smooth_curve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.pairs.flexure import Flexure, Pad
 from elastica_cad.pairs.matching import MatchedPair, matched_pair, same_way
 from elastica_cad.pairs.two_state_rods import Objective, PairLimits, State, TwoStateRod, two_state_rod
-from elastica_cad.refusals import FieldName
 
 Match = Literal["ends", "shape", "none"]
 

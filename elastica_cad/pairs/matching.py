@@ -10,12 +10,11 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import FieldName, InputError, Length, NotConvergedError, note
 from elastica_cad.geometry.plane_curve import PlaneCurve, integrate_tangents
 from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction, in_panels, locate_in_panels
 from elastica_cad.mechanics.theorem1 import require_bendable
-from elastica_cad.refusals import FieldName, Length, note
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 """Tolerances within which the ends of two curves become equal: distance / length, and angle, rad."""

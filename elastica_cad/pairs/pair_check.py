@@ -18,7 +18,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import Change, InputError
+from elastica_cad.errors import Change, FieldName, InputError, Length, note
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, RIGHT, PanelFunction, in_panels
@@ -42,7 +42,6 @@ from elastica_cad.mechanics.theorem1 import (
     require_bendable,
 )
 from elastica_cad.pairs.matching import scaled_to_length
-from elastica_cad.refusals import FieldName, Length, note
 
 SAME_CLAMPS = 1e-3
 """Tolerance for equal clamps: for distances as a fraction of the length, and for angles in rad."""

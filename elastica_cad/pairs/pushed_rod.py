@@ -14,7 +14,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, pair
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.geometry.plane_points import midpoints, norm, unit
 from elastica_cad.mechanics.bending import state_of, system_of
 from elastica_cad.mechanics.discrete_rod import Compression
@@ -23,7 +23,6 @@ from elastica_cad.mechanics.followed_path import shape_of
 from elastica_cad.mechanics.newton_continuation import correct, relax
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import RodState
-from elastica_cad.refusals import Length
 
 EXTRAPOLATED = 3
 """Number of states from which the next state of a push is extrapolated."""

@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad.errors import Degrees, Energy, Force, Length, Refusal, Span, Strain, note
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.pairs.flexure import STATES, Flexure
-from elastica_cad.refusals import Degrees, Energy, Force, Length, Refusal, Span, Strain, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import direction_in_drawing

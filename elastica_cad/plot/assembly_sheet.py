@@ -14,7 +14,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted, is_one_of
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Force, InputError, Length, Refusal, Wording, note, number_text, sentences
 from elastica_cad.geometry.plane_points import angle_of, box_about, norm
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
@@ -58,7 +58,6 @@ from elastica_cad.plot.model_pictures import (
     screen_of,
     size_text,
 )
-from elastica_cad.refusals import Force, Length, Refusal, Wording, note, number_text, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, held_elements, held_ends
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips

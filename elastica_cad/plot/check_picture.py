@@ -6,6 +6,7 @@ from textwrap import fill
 import numpy as np
 
 from elastica_cad._values import require_record
+from elastica_cad.errors import number_text
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, measured_points
 from elastica_cad.plot.canvas import INK, Figure, new_page, show_box, write_beside
@@ -18,7 +19,6 @@ from elastica_cad.plot.strip_pictures import (
     paint_comb,
     paint_inflection_line,
 )
-from elastica_cad.refusals import number_text
 
 
 def check(check: EquilibriumCheck) -> Figure:

@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
+from elastica_cad.errors import Mass, number_text
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.profile import Profile
@@ -29,7 +30,6 @@ from elastica_cad.plot.canvas import (
     show_box,
     write_beside,
 )
-from elastica_cad.refusals import Mass, number_text
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, freedom_text, held_ends

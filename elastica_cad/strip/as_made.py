@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import FieldName, Length, NotConvergedError, note
 from elastica_cad.geometry.plane_points import cross, left_of, midpoints, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.cross_sections import BendFactor
@@ -19,7 +19,6 @@ from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent, resample
 from elastica_cad.mechanics.sections import PlainSection, crack_energy
 from elastica_cad.mechanics.sheets import even_shear_ratio
-from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.element_cuts import CUT, CUT_GRAIN
 from elastica_cad.strip.held_shape import (
     ANTICLASTIC,

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Arc, Line, Segment, Spline
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -23,7 +23,6 @@ from elastica_cad.geometry.splines import (
     knot_runs,
 )
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Length
 from elastica_cad.strip.flat_pattern import Region, SegmentPart, on_segment
 from elastica_cad.strip.outline import graphs, pace
 

@@ -2,11 +2,10 @@
 
 from functools import lru_cache
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import Angle, InputError, NotConvergedError, Refusal, note
 from elastica_cad.mechanics.bending import bend, snap_percent
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Angle, Refusal, note
 from elastica_cad.strip.held_shape import closes
 from elastica_cad.strip.strip import Strip
 

@@ -7,10 +7,9 @@ from itertools import islice
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.path import Arc, Path, Segment, SegmentTable, Spline, chords, trim_segment
 from elastica_cad.geometry.plane_points import cross, left_of, norm, place, turn_between
-from elastica_cad.refusals import Length
 
 CLOSE_MM = 1e-9
 """Length, mm, that counts as zero: the overlap of two arcs, or the gap between the two centres of one arc."""

@@ -3,10 +3,9 @@
 import numpy as np
 
 from elastica_cad._values import require_positive, require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length
 from elastica_cad.geometry.path import Path
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
-from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, engraved_names, text_width
 

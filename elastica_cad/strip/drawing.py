@@ -14,6 +14,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
+from elastica_cad.errors import Length as Mm
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path, Segment, Spline, distances, trim_segment
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
@@ -29,7 +30,6 @@ from elastica_cad.geometry.plane_points import (
     turn_between,
 )
 from elastica_cad.mechanics.sheets import require_name
-from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.lettering import Text, text_strokes
 
 CUT_OUTER = "CUT_OUTER"

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import distinct_digits
-from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.errors import BareLength, InputError, Length, Listed, Refusal, note, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import at_sign_changes, left_of
 from elastica_cad.geometry.profile import Profile
@@ -17,7 +17,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import BRITTLE, StrainState, StrainVerdict, judge_strain
 from elastica_cad.mechanics.sections import crack_energy
 from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
-from elastica_cad.refusals import BareLength, Length, Listed, Refusal, note
 from elastica_cad.strip.outline import Ends
 from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout

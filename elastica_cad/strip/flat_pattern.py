@@ -10,7 +10,7 @@ from operator import itemgetter
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
@@ -23,7 +23,6 @@ from elastica_cad.geometry.splines import (
     knot_runs,
     over_knots,
 )
-from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2

@@ -10,6 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option, require_declared
+from elastica_cad.errors import Force, Length, Moment, Refusal, note, sentences
 from elastica_cad.geometry.plane_curve import CORNER_RAD
 from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, rotated
 from elastica_cad.mechanics.discrete_rod import solve_tridiagonal
@@ -17,7 +18,6 @@ from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
 from elastica_cad.mechanics.tolerances import feels_modulus
-from elastica_cad.refusals import Force, Length, Moment, Refusal, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 

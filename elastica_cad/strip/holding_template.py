@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import Degrees, Force, Length, Listed, Mass, Refusal, note
 from elastica_cad.geometry.path import Path, Spline
 from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, points_at, unit_vectors
 from elastica_cad.mechanics.elements import (
@@ -21,7 +22,6 @@ from elastica_cad.mechanics.elements import (
     side_of_bar,
 )
 from elastica_cad.mechanics.loads import End, PointMass
-from elastica_cad.refusals import Degrees, Force, Length, Listed, Mass, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Hole

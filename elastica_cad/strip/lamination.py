@@ -8,13 +8,21 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import distinct_digits, is_number
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import FaultError, InputError, rounded_up
+from elastica_cad.errors import (
+    MATERIAL_WIDTH,
+    Either,
+    FaultError,
+    InputError,
+    Length,
+    Refusal,
+    note,
+    rounded_up,
+)
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sheets import Sheet, require_flat
-from elastica_cad.refusals import MATERIAL_WIDTH, Either, Length, Refusal, note
 from elastica_cad.strip.styles import (
     Backing,
     Layout,

@@ -11,10 +11,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_series, require_record
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError, Refusal, note, quoted
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import left_of, unit_vectors
-from elastica_cad.refusals import Refusal, note
 
 CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
 LABEL_MM = 5.0  # largest height of the label of a strip, mm

@@ -10,7 +10,18 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
-from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError, rounded_up
+from elastica_cad.errors import (
+    Change,
+    FieldName,
+    InputError,
+    Listed,
+    NotConvergedError,
+    StrainError,
+    note,
+    rounded_up,
+    sentences,
+)
+from elastica_cad.errors import Length as Mm
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across, trim_across
 from elastica_cad.geometry.plane_points import left_of, turns_along
@@ -18,8 +29,6 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import thinner_for
-from elastica_cad.refusals import FieldName, Listed, note, sentences
-from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import MARK, Drawing, cut_paths
 from elastica_cad.strip.held_shape import LEAST_REPORTED_MM, closes, deviation_from, shape_responses
 from elastica_cad.strip.layers import LapPlates, Layer

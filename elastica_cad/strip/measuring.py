@@ -7,10 +7,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Degrees, InputError, Length, Quantity, number_text
 from elastica_cad.geometry.plane_points import norm, points_at, turn_between, unit
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Degrees, Length, Quantity, number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.holding_template import MARKS, distance_of_tips, heights_of_marks, held_ends, upward

@@ -12,14 +12,13 @@ from elastica_cad._types import EMPTY, FloatArray, Takes
 from elastica_cad._values import counted, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import TAB_LENGTH
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length
 from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline, distances, meets
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import greville, kinks
 from elastica_cad.mechanics.loads import Supports
-from elastica_cad.refusals import BareLength, Length
 
 StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")

@@ -3,14 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import FieldName, InputError, NotConvergedError, Refusal, note
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped, scaled
 from elastica_cad.mechanics.elements import PointForce
 from elastica_cad.mechanics.loads import Gravity, PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.trials import not_tried
-from elastica_cad.refusals import FieldName, Refusal, note
 from elastica_cad.strip.held_shape import about, deviation_from
 from elastica_cad.strip.strip import Strip
 

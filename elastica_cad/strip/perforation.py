@@ -10,7 +10,19 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import SEEN_APART, counted, distinct_digits
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import Change, FaultError, InputError, rounded_down, rounded_up
+from elastica_cad.errors import (
+    MATERIAL_WIDTH,
+    Angle,
+    Change,
+    Either,
+    FaultError,
+    FieldName,
+    InputError,
+    note,
+    rounded_down,
+    rounded_up,
+)
+from elastica_cad.errors import Length as Mm
 from elastica_cad.geometry.approximations import as_arcs
 from elastica_cad.geometry.path import JOIN, Path, Segment, Spline, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
@@ -20,8 +32,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sections import PerforatedSection
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import MATERIAL_WIDTH, Angle, Either, FieldName, note
-from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.strip.outline import Ends, Tab, close_chain, graphs
 from elastica_cad.strip.slots import Slot, slot_cut

@@ -12,7 +12,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError
+from elastica_cad.errors import BareLength, InputError, Length, note
 from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline, trim_segment
 from elastica_cad.geometry.path_intersections import Chords, chord_crossings, encloses, polylines_cross
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -27,7 +27,6 @@ from elastica_cad.geometry.plane_points import (
 )
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import spline_through
-from elastica_cad.refusals import BareLength, Length, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK
 from elastica_cad.strip.lettering import (
     LABEL_MM,

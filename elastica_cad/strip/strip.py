@@ -21,7 +21,19 @@ from elastica_cad._values import (
     three,
     value_key,
 )
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_down, rounded_up
+from elastica_cad.errors import (
+    BareLength,
+    ElasticaError,
+    FieldName,
+    InputError,
+    Length,
+    NotConvergedError,
+    Span,
+    note,
+    rounded_down,
+    rounded_up,
+    sentences,
+)
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import Path
@@ -59,7 +71,6 @@ from elastica_cad.mechanics.sideways import (
     sideways_stability_of,
     stations_of_sideways,
 )
-from elastica_cad.refusals import BareLength, FieldName, Length, Span, note, sentences
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import (
     StrainedCut,

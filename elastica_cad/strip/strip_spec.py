@@ -12,7 +12,18 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import EMPTY, Takes
 from elastica_cad._values import EqualByValue, is_number, is_one_of, is_series, require_record, several
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import Change, FaultError, InputError, refuse_unknown, rounded_up
+from elastica_cad.errors import (
+    BareLength,
+    Change,
+    FaultError,
+    FieldName,
+    InputError,
+    Length,
+    Refusal,
+    note,
+    refuse_unknown,
+    rounded_up,
+)
 from elastica_cad.form_finding.fairing_request import Smoothing
 from elastica_cad.form_finding.limits import Keep, Limits
 from elastica_cad.form_finding.nearest_record import NearestRod
@@ -45,7 +56,6 @@ from elastica_cad.mechanics.sections import PlainSection, anticlastic_factor
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, require_name
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
-from elastica_cad.refusals import BareLength, FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.makeable_strip import make_within, with_warnings

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import SEEN_APART, distinct_digits, require_number, require_positive, require_record
-from elastica_cad.errors import FaultError, InputError, rounded_up
+from elastica_cad.errors import FaultError, FieldName, InputError, Length, note, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
@@ -26,7 +26,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import LayerStrain
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.outline import Ends, long_sides
 from elastica_cad.strip.slots import Slot
 

@@ -8,7 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import Change, ElasticaError, StrainError, rounded_up
+from elastica_cad.errors import (
+    Change,
+    ElasticaError,
+    FieldName,
+    Length,
+    Listed,
+    Refusal,
+    StrainError,
+    note,
+    rounded_up,
+    sentences,
+)
 from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
@@ -25,7 +36,6 @@ from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.mechanics.trials import MOST_CORNERS, MOST_INFLECTIONS, MOST_STEPS, not_tried
-from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.makeable_strip import overstrained

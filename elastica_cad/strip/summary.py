@@ -6,7 +6,20 @@ from functools import lru_cache
 
 import numpy as np
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import (
+    Degrees,
+    ElasticaError,
+    FieldName,
+    Force,
+    Length,
+    Listed,
+    Mass,
+    Refusal,
+    Strain,
+    is_reported,
+    note,
+    sentences,
+)
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.geometry.plane_points import angle_of, norm
@@ -21,19 +34,6 @@ from elastica_cad.mechanics.mounting_errors import (
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import (
-    Degrees,
-    FieldName,
-    Force,
-    Length,
-    Listed,
-    Mass,
-    Refusal,
-    Strain,
-    is_reported,
-    note,
-    sentences,
-)
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.clamp_errors import can_snap, clamp_warning
 from elastica_cad.strip.element_cuts import element_cuts

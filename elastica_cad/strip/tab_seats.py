@@ -10,12 +10,11 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import FieldName, InputError, Length, NotConvergedError, note
 from elastica_cad.form_finding.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
 from elastica_cad.geometry.plane_points import left_of, rotated, unit_vectors
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import FieldName, Length, note
 
 STEEPEST_RAD = np.radians(80.0)
 """Largest turn of a tab, rad, up to which contact with the holder is searched."""

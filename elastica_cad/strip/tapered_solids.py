@@ -8,14 +8,13 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path, Segment, Spline
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import adaptive_spline
-from elastica_cad.refusals import Length
 from elastica_cad.strip.bent_boundary import (
     Boundary,
     Edge,

@@ -9,14 +9,13 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Degrees, Force, InputError, Length, Refusal, note
 from elastica_cad.geometry.plane_points import dot, norm, unit
 from elastica_cad.mechanics.bending import Leg, Place, as_steps, path_legs, places_of
 from elastica_cad.mechanics.followed_path import Event
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import Degrees, Force, Length, Refusal, note
 from elastica_cad.strip.strip import Strip, strip_sideways
 
 TURNED_DEG = 1e-7  # smaller rotations of an end are rounding errors

@@ -9,7 +9,20 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import SEEN_APART, and_more, distinct_digits, require_record
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import Change, FaultError, rounded_down, rounded_up
+from elastica_cad.errors import (
+    BareLength,
+    Change,
+    FaultError,
+    FieldName,
+    Length,
+    Listed,
+    Point,
+    both_names,
+    note,
+    rounded_down,
+    rounded_up,
+    sentences,
+)
 from elastica_cad.geometry.path import Arc, Path, Segment, distances
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import (
@@ -23,7 +36,6 @@ from elastica_cad.geometry.plane_points import (
 )
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import BareLength, FieldName, Length, Listed, Point, both_names, note, sentences
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer

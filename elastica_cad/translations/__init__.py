@@ -8,7 +8,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Literal, TypeAlias
 
-from elastica_cad.refusals import Wording
+from elastica_cad.errors import Wording
 
 LANGUAGES = ("de", "zh-CN")
 

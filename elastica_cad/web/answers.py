@@ -17,7 +17,7 @@ from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
 from elastica_cad.design.tables import with_present_keys
-from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
+from elastica_cad.errors import Change, ElasticaError, InputError, Refusal, StrainError, note
 from elastica_cad.files import CURVE_FORMATS, read_curves
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
@@ -43,7 +43,6 @@ from elastica_cad.model.assembly import single_holders
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
-from elastica_cad.refusals import Refusal, note
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.drawing import LAYERS, Drawing
 from elastica_cad.strip.lettering import text_strokes

@@ -23,9 +23,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from elastica_cad.errors import ElasticaError, InputError, installed_version
+from elastica_cad.errors import ElasticaError, FieldName, InputError, installed_version
 from elastica_cad.formats.write_files import write_atomically
-from elastica_cad.refusals import FieldName
 from elastica_cad.web.answers import CHANGED, refused
 from elastica_cad.web.saved_design import file_mark, open_design, start_designs
 from elastica_cad.web.vocabulary import page_words

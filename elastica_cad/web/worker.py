@@ -12,8 +12,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.refusals import Refusal, Wording
+from elastica_cad.errors import ElasticaError, InputError, Refusal, Wording
 from elastica_cad.translations import Translated
 from elastica_cad.web.answers import CATALOGUES, Download, answer, refused
 

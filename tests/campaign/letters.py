@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from elastica_cad.refusals import Wording
+from elastica_cad.errors import Wording
 
 TESTS = Path(__file__).resolve().parents[1]
 PACKAGE = TESTS.parent / "elastica_cad"

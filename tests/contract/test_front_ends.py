@@ -23,7 +23,7 @@ from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
 from elastica_cad import ElasticaError, Frame, Strip, build123d, cadquery, read_curves, write_curves
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design import read_design
-from elastica_cad.refusals import Wording
+from elastica_cad.errors import Wording
 from elastica_cad.web.answers import requested_spec
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS

@@ -13,8 +13,7 @@ from freecad.elastica_wb.host import words
 from freecad.elastica_wb.host.words import Unit, capital, worded
 
 from elastica_cad import InputError, PlaneCurve, Sheet, check_equilibrium
-from elastica_cad.mechanics import SidewaysStability
-from elastica_cad.refusals import (
+from elastica_cad.errors import (
     MATERIAL_WIDTH,
     Angle,
     BareLength,
@@ -29,6 +28,7 @@ from elastica_cad.refusals import (
     note,
     sentences,
 )
+from elastica_cad.mechanics import SidewaysStability
 from elastica_cad.strip.uncuttable_parts import Fault
 from tests.freecad.features import change
 
@@ -42,12 +42,13 @@ SPOKEN = """
     form_finding/plane_sections.py form_finding/rod_spec.py form_finding/section_lines.py
     form_finding/splitting.py form_finding/straight_ends.py geometry/measured_points.py geometry/nurbs_curve.py
     geometry/tangent_healing.py kit/kit_contents.py mechanics/bending.py mechanics/between_clamps.py
-    mechanics/calibration.py mechanics/equilibrium_check.py mechanics/least_ratio.py mechanics/loads.py
+    mechanics/calibration.py mechanics/equilibrium_check.py mechanics/followed_path.py mechanics/least_ratio.py
+    mechanics/loads.py
     mechanics/moment_conditions.py mechanics/newton_continuation.py mechanics/optimal_balance.py
     mechanics/section_limits.py mechanics/sideways.py mechanics/stability.py mechanics/theorem1.py
     mechanics/trials.py model/collisions.py model/fixtures.py model/held_tabs.py model/interlocking.py
     model/model.py model/nesting.py model/plate_holes.py model/plate_pairs.py model/plates.py model/rocking.py
-    pairs/flexure.py pairs/matching.py pairs/pair_check.py pairs/pushed_rod.py pairs/summary.py refusals.py
+    pairs/flexure.py pairs/matching.py pairs/pair_check.py pairs/pushed_rod.py pairs/summary.py errors.py
     strip/as_made.py strip/bent_boundary.py strip/drawing.py strip/held_shape.py strip/lamination.py
     strip/layers.py strip/makeable_strip.py strip/outline.py strip/own_weight.py strip/perforation.py
     strip/slots.py strip/solids.py strip/strip.py strip/strip_spec.py strip/styles.py strip/summary.py

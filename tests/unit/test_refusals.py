@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from elastica_cad import InputError, NotConvergedError, NotRealizable, PlaneCurve, check_equilibrium
-from elastica_cad.errors import Change, Length
-from elastica_cad.refusals import (
+from elastica_cad.errors import (
     Angle,
+    Change,
     Degrees,
     Energy,
     Force,
+    Length,
     Listed,
     Mass,
     Moment,

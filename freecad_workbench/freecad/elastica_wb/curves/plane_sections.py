@@ -17,7 +17,7 @@ from freecad.elastica_wb.host.progress import Step, go_on, in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, Refusal, note
 from elastica_cad.form_finding.plane_sections import mesh_sections
 from elastica_cad.form_finding.section_lines import (
     PlaneSection,
@@ -31,7 +31,6 @@ from elastica_cad.formats.chains import join_runs
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.source_file import check_places
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.refusals import Length, Refusal, note
 
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")

@@ -14,10 +14,9 @@ from freecad.elastica_wb.host.objects import is_sketch
 from freecad.elastica_wb.host.refusal import why_not_made
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
 """Largest number of poles that can be dragged. With more poles, the solver of FreeCAD 1.1 moves the curve."""

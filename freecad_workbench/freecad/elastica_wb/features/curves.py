@@ -31,13 +31,12 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Listed, note, sentences
 from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Listed, note, sentences
 
 MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")
 ORANGE = (0.9, 0.4, 0.0)

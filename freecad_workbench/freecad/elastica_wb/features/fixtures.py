@@ -21,13 +21,12 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, one_of_each
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.held_tabs import holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
-from elastica_cad.refusals import one_of_each
 
 SIZES = {option.name.title().replace("_", ""): option for option in declared(EndFixture)}
 """Options of blocks, by the names of their properties."""

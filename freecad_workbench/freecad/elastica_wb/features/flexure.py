@@ -23,7 +23,7 @@ from elastica_cad.declared import Field, Record
 from elastica_cad.design.records import Reader, idle_keys, paths_of
 from elastica_cad.design.records import put as put_key
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import box_about
@@ -31,7 +31,6 @@ from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.pairs.flexure import CentreLine, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
-from elastica_cad.refusals import note
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.flat_pattern import in_short_pieces
 from elastica_cad.strip.solids import FlatSolid

@@ -16,8 +16,8 @@ from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.words import report_warning, worded
 
+from elastica_cad.errors import note, sentences
 from elastica_cad.model.nesting import nest_pieces
-from elastica_cad.refusals import note, sentences
 
 # distance in y, mm, of a nest of cut parts from the other objects
 SPACE_MM = 50.0

@@ -23,9 +23,8 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad._text import distinct
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, note, sentences
 from elastica_cad.model.plates import numbered
-from elastica_cad.refusals import note, sentences
 from elastica_cad.strip.pieces import Piece, count_pieces
 from elastica_cad.strip.strip import Placed, Strip, require_placed
 

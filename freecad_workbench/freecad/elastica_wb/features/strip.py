@@ -40,11 +40,19 @@ from freecad.elastica_wb.solving.strip_cache import (
 from freecad.elastica_wb.solving.verdicts import is_bent_beforehand, strip_faults
 
 from elastica_cad.design.reports import pre_bend_message
-from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
+from elastica_cad.errors import (
+    Change,
+    ElasticaError,
+    InputError,
+    Length,
+    Refusal,
+    StrainError,
+    note,
+    sentences,
+)
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.refusals import Length, Refusal, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import instruction

@@ -27,13 +27,12 @@ from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, 
 from elastica_cad.design.strip_table import StripKeys, read_fields, read_request, scaled_places
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.design.toml_text import toml_text
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Force, InputError, Length, Mass, note
 from elastica_cad.form_finding.limits import BOTH_ENDS
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, Gravity, PointMass, Supports
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Force, Length, Mass, note
 from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
 from elastica_cad.strip.styles import Style
 

@@ -11,8 +11,7 @@ from typing import Any, TypeVar
 
 import FreeCAD as App
 
-from elastica_cad.errors import NotConvergedError
-from elastica_cad.refusals import note
+from elastica_cad.errors import NotConvergedError, note
 
 Step = Callable[[int], bool]
 """Function that receives the number of finished parts of the work, and returns False if the user stops

@@ -21,8 +21,7 @@ from FreeCAD import Base
 from freecad.elastica_wb.host.objects import is_ours
 from freecad.elastica_wb.host.words import worded
 
-from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
-from elastica_cad.refusals import note
+from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError, note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """Exceptions that `execute` turns into messages. Any other exception is a bug."""

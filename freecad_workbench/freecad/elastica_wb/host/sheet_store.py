@@ -12,7 +12,7 @@ from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.words import report_warning
 
 from elastica_cad._text import plain_name
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, note
 from elastica_cad.formats.write_files import reason, write_atomically
 from elastica_cad.mechanics.sheets import (
     KINDS,
@@ -23,7 +23,6 @@ from elastica_cad.mechanics.sheets import (
     sheet_names,
     sheets_from_table,
 )
-from elastica_cad.refusals import note
 
 
 def own_sheets_file() -> Path:

@@ -15,9 +15,9 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.host.resources import translate
 
-from elastica_cad import refusals
+from elastica_cad import errors
 from elastica_cad._text import printable
-from elastica_cad.refusals import MaterialWidth, Refusal, Worded
+from elastica_cad.errors import MaterialWidth, Refusal, Worded
 from elastica_cad.translations import Translated
 
 NAMES = {
@@ -112,7 +112,7 @@ def together(sentences: Iterable[tuple[str, str]]) -> list[str]:
 
 
 TYPES = {
-    name: kind for name, kind in vars(refusals).items() if isinstance(kind, type) and issubclass(kind, Worded)
+    name: kind for name, kind in vars(errors).items() if isinstance(kind, type) and issubclass(kind, Worded)
 }
 """Types of values that messages format in a special way, by name."""
 

@@ -12,7 +12,7 @@ from freecad.elastica_wb.solving.strip_cache import find_rod
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict, quick_answer, refusal_answer
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, Length
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.elements import noun_of
 from elastica_cad.mechanics.loads import nodal_curvature
@@ -20,7 +20,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
-from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 

@@ -16,7 +16,7 @@ from freecad.elastica_wb.solving.verdicts import Verdict
 from pivy import coin
 
 from elastica_cad._types import FloatArray
-from elastica_cad.refusals import note
+from elastica_cad.errors import note
 
 # distance, mm, of the overlay above the plane of the sketch
 LIFT_MM = 0.02

@@ -51,13 +51,13 @@ from pivy import coin
 
 from elastica_cad._types import FloatArray
 from elastica_cad.defaults import CUTTABLE_RATIO
+from elastica_cad.errors import Length, note, sentences
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.point_search import move_while_possible
 from elastica_cad.mechanics.stability import SAFE_MARGIN
-from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
 # delay, ms, of slower results after the last mouse move

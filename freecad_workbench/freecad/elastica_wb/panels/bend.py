@@ -15,9 +15,9 @@ from freecad.elastica_wb.live.preview import Preview
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_value, recorded
 
+from elastica_cad.errors import Length, note, sentences
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip import strip_sideways
 
 

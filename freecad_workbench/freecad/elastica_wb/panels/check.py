@@ -15,8 +15,7 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
 from freecad.elastica_wb.solving.verdicts import Verdict, strip_answer
 
-from elastica_cad.errors import ElasticaError
-from elastica_cad.refusals import sentences
+from elastica_cad.errors import ElasticaError, sentences
 
 
 class CheckPanel(Panel):

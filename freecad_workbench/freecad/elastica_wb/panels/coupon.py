@@ -29,10 +29,9 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.recording import recorded
 
 from elastica_cad._text import file_word
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, note, sentences
 from elastica_cad.files import save
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
-from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.strip.drawing import CUT_OUTER
 from elastica_cad.strip.solids import FlatSolid

@@ -29,10 +29,9 @@ from freecad.elastica_wb.panels.panel import Panel
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.records import idle_keys
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, Length, note, sentences
 from elastica_cad.formats.drawing_style import CURVES
 from elastica_cad.formats.dxf_drawing import DXF_VERSIONS
-from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.pieces import Piece
 
 

@@ -32,9 +32,9 @@ from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 from freecad.elastica_wb.strip_report import strip_rows
 
+from elastica_cad.errors import Length, note
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.summary import pair_rows
-from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row
 
 

@@ -26,9 +26,8 @@ from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
 from freecad.elastica_wb.solving.verdicts import sentence_of, strip_answer
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, sentences
 from elastica_cad.geometry.projective_maps import four_point_map
-from elastica_cad.refusals import sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
 FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]

@@ -40,9 +40,9 @@ from freecad.elastica_wb.solving.strip_cache import changes_that_help
 from freecad.elastica_wb.solving.verdicts import Verdict
 
 from elastica_cad._text import html_text
+from elastica_cad.errors import Refusal, note
 from elastica_cad.mechanics.sheets import hex_color
 from elastica_cad.mechanics.trials import not_tried
-from elastica_cad.refusals import Refusal, note
 from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion

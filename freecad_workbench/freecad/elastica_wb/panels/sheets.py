@@ -12,8 +12,8 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
 
+from elastica_cad.errors import Length, note
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length, note
 
 NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio", "shear_modulus")
 

@@ -13,9 +13,8 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import shown_unit, worded
 from freecad.elastica_wb.panels.panel import Panel
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, Length, note
 from elastica_cad.mechanics.tolerances import ToleranceStudy, tolerance_study
-from elastica_cad.refusals import Length, note
 
 
 class TolerancePanel(Panel):

@@ -18,7 +18,7 @@ from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_called
 
-from elastica_cad.errors import ElasticaError, NotConvergedError
+from elastica_cad.errors import ElasticaError, Length, NotConvergedError, note
 from elastica_cad.form_finding.editable_curve import coarse_curve
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
@@ -29,7 +29,6 @@ from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, glued

@@ -13,12 +13,21 @@ from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
 
 from elastica_cad.design.reports import pre_bend_message
-from elastica_cad.errors import ElasticaError, StrainError, rounded_down, rounded_up
+from elastica_cad.errors import (
+    ElasticaError,
+    Length,
+    Refusal,
+    Span,
+    StrainError,
+    note,
+    rounded_down,
+    rounded_up,
+    sentences,
+)
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
-from elastica_cad.refusals import Length, Refusal, Span, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
