@@ -192,7 +192,7 @@ class Travel:
     def length(self) -> float:
         """Distance of the translation, mm, or angle of the rotation, degrees."""
         if self.angle is None:
-            return float(np.hypot(*self._way))
+            return round(float(np.hypot(*self._way)), 9)
         # round the range, so that a CAD joint accepts the final angle
         return round(float(abs(np.degrees(self._turn))), 9)
 

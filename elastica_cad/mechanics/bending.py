@@ -428,13 +428,19 @@ def first_visit(
     turn = 0.0 if a is None or b is None else b - a
     # if the held end angles differ much, the sign of the difference determines the default side
     side = side or (-int(np.sign(turn)) if abs(turn) > 0.5 else 1)
-    t = 1.0 if long or mode > 1 else FIRST_SHARE
-    plain = segment.system(t, visit.elements, [False] * len(visit.elements))
-    reached = reach(plain.state(state.angles, state.reactions[: len(plain.held)]), side, mode)
-    if not visit.elements and reached.arrived and is_balanced(reached.state):
-        return replace(visit, t=t, state=reached.state), side
-    bent = segment.system(t, visit.elements, visit.taut).state(reached.state.angles)
-    return segment.at_rest(t, _with_reactions(bent), visit), side
+    found: list[Visit | Event] = []
+    # a hand holds the rod on this side until it stays there
+    for t in (1.0,) if long or mode > 1 else (FIRST_SHARE, 0.1, 0.4, 1.0):
+        plain = segment.system(t, visit.elements, [False] * len(visit.elements))
+        reached = reach(plain.state(state.angles, state.reactions[: len(plain.held)]), side, mode)
+        if not visit.elements and reached.arrived and is_balanced(reached.state):
+            found.append(replace(visit, t=t, state=reached.state))
+        else:
+            bent = segment.system(t, visit.elements, visit.taut).state(reached.state.angles)
+            found.append(segment.at_rest(t, _with_reactions(bent), visit))
+        if isinstance(found[-1], Visit) and not found[-1].state.discrete.unstable_modes:
+            return found[-1], side
+    return found[0], side
 
 
 def _settled(leg: Leg) -> Rod:

@@ -433,8 +433,7 @@ def _stages(rod: Rod, legs: Sequence[Leg]) -> tuple[Stage, ...]:
     for leg in legs:
         bent = leg.rod(1.0)
         held = [end.angle for end in bent.supports.ends]
-        far = float(norm(bent.chord - rod.chord))
-        far = far if far > 1e-9 * rod.length else 0.0
+        far = round(float(norm(bent.chord - rod.chord)), 9)
         turned = float(np.degrees(np.abs(bent.angle - rod.angle)[[0, -1]] * held).max())
         load = [sum(one.newtons for one in loads) for loads in leg.loads or ((), ())]
         moves = "mm" if far else "deg" if turned > TURNED_DEG else "%"
