@@ -75,7 +75,7 @@ Keep = Literal["keep"]
 # force components up to this fraction of the largest force in the rod are rounding errors
 ROUNDED_SHARE = 1e-12
 # fraction of the path at which a straight rod is first computed, already bent
-FIRST_SHARE = 0.02
+FIRST_SHARE = 0.004
 
 
 def bend(
@@ -552,9 +552,13 @@ Place: TypeAlias = tuple[int, float]
 
 
 def places_of(legs: Sequence[Leg], steps: int) -> tuple[Place, ...]:
-    """Return the places of the shapes that are listed: `steps` in each leg; if these are more, the first too."""
+    """Return the places of the shapes that are listed: `steps` in each leg; if these are more, the first too.
+
+    A straight rod is listed from its first bent shape on.
+    """
     first = ((0, 0.0),) if steps > 1 and legs[0].path.visits[0].t == 0 else ()
-    return (*first, *((k, j / steps) for k in range(len(legs)) for j in range(1, steps + 1)))
+    places = ((k, j / steps) for k in range(len(legs)) for j in range(1, steps + 1))
+    return (*first, *(place for place in places if place[1] >= legs[place[0]].path.visits[0].t))
 
 
 def _end_of(legs: Sequence[Leg]) -> Rod:
