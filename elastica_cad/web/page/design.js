@@ -23,6 +23,7 @@ export class History {
     this.now = JSON.stringify(design);
     this.aside = {}; // by strip and key: the values of the kinds that are not chosen, which wait until they are chosen again
     this.listeners = [];
+    addEventListener("pagehide", () => this.timer && this.keep()); // a page that is left at once loses nothing
   }
 
   // What this tab held before it was loaded again; with `design` only where that is what it showed.
@@ -95,6 +96,8 @@ export class History {
 
   keep() {
     const { past, future, now, aside } = this;
+    clearTimeout(this.timer);
+    this.timer = 0;
     if (this.key) try { sessionStorage.setItem(this.key, JSON.stringify({ past, future, now, aside })); } catch { /* no room */ }
   }
 }
