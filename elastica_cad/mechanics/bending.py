@@ -1,7 +1,7 @@
 """Rest shape of a rod after its ends, loads or supports have changed."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from typing import Any, Literal, TypeAlias
 
@@ -166,12 +166,30 @@ def bend(
     31.4
     """
     require_flag(settle, "settle")
-    legs = _bend_legs(
-        rod, start, end, angles, gravity=gravity, supports=supports, force=force, moment=moment, guess=guess,
-        side=side, mode=mode, samples=samples, between=between, loads=loads,
-    )  # fmt: skip
+    legs = _bend_legs(rod, Change(
+        start, end, angles, gravity, supports, force, moment, between, loads, guess, side, mode, samples
+    ))  # fmt: skip
     bent = _end_of(legs)
     return _settled(legs[-1]) if settle and bent.discrete.unstable_modes else bent
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """What `bend` changes; each field is its keyword. The default changes nothing."""
+
+    start: ArrayLike | None = None
+    end: ArrayLike | None = None
+    angles: "tuple[float | None, float | None] | ArrayLike | None" = None
+    gravity: Gravity | Keep | None = "keep"
+    supports: Supports | None = None
+    force: ArrayLike | None = None
+    moment: float | tuple[float, float] | None = None
+    between: "Element | Sequence[Element] | Keep" = "keep"
+    loads: "PointMass | PointForce | Sequence[PointMass | PointForce] | Keep" = "keep"
+    guess: "Rod | ArrayLike | None" = None
+    side: int | None = None
+    mode: int = 1
+    samples: int | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -208,42 +226,27 @@ class Leg:
         return tuple(_event_warning(event, of_loads=of_loads) for event in self.path.leaps)
 
 
-def _bend_legs(
-    rod: Rod,
-    start: ArrayLike | None = None,
-    end: ArrayLike | None = None,
-    angles: tuple[float | None, float | None] | ArrayLike | None = None,
-    *,
-    gravity: Gravity | Keep | None = "keep",
-    supports: Supports | None = None,
-    force: ArrayLike | None = None,
-    moment: float | tuple[float, float] | None = None,
-    guess: "Rod | ArrayLike | None" = None,
-    side: int | None = None,
-    mode: int = 1,
-    samples: int | None = None,
-    between: "Element | Sequence[Element] | Keep" = "keep",
-    loads: "PointMass | PointForce | Sequence[PointMass | PointForce] | Keep" = "keep",
-) -> tuple[Leg, ...]:
+def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
     """Return the stages of `bend`: first the ends and what is between them, then the new loads.
 
     If the rod does not stand without its new loads, they grow while the ends move.
     """
     require_rod(rod, "bend", "Rod.straight")
     rod = rod.following()
-    start = rod.position[0] if start is None else start
-    end = rod.position[-1] if end is None else end
-    if samples is not None and not is_one_of(samples, [rod.s.size]):
-        rod = resample(rod, samples)
+    gravity, side = change.gravity, change.side
+    start = rod.position[0] if change.start is None else change.start
+    end = rod.position[-1] if change.end is None else change.end
+    if change.samples is not None and not is_one_of(change.samples, [rod.s.size]):
+        rod = resample(rod, change.samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
         raise InputError(f'gravity is {gravity!r}: give a Gravity record, None or "keep"')
     if not is_one_of(side, (None, 1, -1)):
         raise InputError(f"side is {side!r}: give +1 to bend the rod to the left first, -1 to the right")
-    whole_number(mode, "mode", 1)
+    whole_number(change.mode, "mode", 1)
     if not isinstance(gravity, str) and np.ptp(rod.discrete.angles) <= STRAIGHT_RAD:
         rod = replace(rod, gravity=gravity)  # a straight rod has no rest shape that its weight could change
-    keeps = isinstance(between, str) and between == "keep"
-    elements = mounted(rod, None if keeps else require_elements(between))
+    between, supports = change.between, change.supports
+    elements = mounted(rod, None if isinstance(between, str) else require_elements(between))
     requested = replace(
         rod,
         gravity=rod.gravity if isinstance(gravity, str) else gravity,
@@ -252,23 +255,23 @@ def _bend_legs(
     )
     if not elements:
         requested.supports.require_held()
-    system = system_of(requested, rod, start, end, angles, force=force, moment=moment)
+    system = system_of(requested, rod, start, end, change.angles, force=change.force, moment=change.moment)
     _refuse_pins_out_of_reach(elements, system)
-    if isinstance(loads, str) and loads == "keep":
-        return (_leg(requested, rod, system, guess=guess, side=side, mode=mode),)
-    loaded = _with_loads(requested, loads)
-    changes = _loads_of(rod), _loads_of(loaded)
+    if isinstance(change.loads, str) and change.loads == "keep":
+        return (_leg(requested, rod, system, change),)
+    loaded = _with_loads(requested, change.loads)
+    loads = _loads_of(rod), _loads_of(loaded)
     at_end = replace(system, load=_present_load(loaded))
     moves = segment_to(requested, rod, system)[0].changes
-    if moves and guess is None:
+    if moves and change.guess is None:
         try:
-            first = _leg(requested, rod, system, guess=None, side=side, mode=mode)
+            first = _leg(requested, rod, system, change)
             bent = first.rod(1.0)
             loaded = replace(loaded, between=bent.between)
-            return first, _leg(loaded, bent, at_end, guess=None, side=side, mode=1, loads=changes)
+            return first, _leg(loaded, bent, at_end, Change(), loads=loads)
         except (InputError, NotConvergedError):
             pass
-    return (_leg(loaded, rod, at_end, guess=guess, side=side, mode=mode, loads=changes, together=moves),)
+    return (_leg(loaded, rod, at_end, change, loads=loads, together=moves),)
 
 
 def _with_loads(rod: Rod, loads: object) -> Rod:
@@ -383,18 +386,16 @@ def _leg(
     requested: Rod,
     rod: Rod,
     system: RodSystem,
-    *,
-    guess: "Rod | ArrayLike | None",
-    side: int | None,
-    mode: int,
+    change: Change,
     **kind: Any,
 ) -> Leg:
     """Return the stage from the present shape of `rod` to an equilibrium of `system`."""
     segment, visit = segment_to(requested, rod, system)
     if requested.between:
         visit.require_held()
-    if guess is not None:
-        state = _guess_state(guess, segment.system(1.0, visit.elements, visit.taut))
+    side, mode = change.side, change.mode
+    if change.guess is not None:
+        state = _guess_state(change.guess, segment.system(1.0, visit.elements, visit.taut))
         path = followed(segment, segment.at_rest(1.0, state, visit), watched=False)
     else:
         first, to = first_visit(segment, visit, side, mode)
@@ -540,7 +541,7 @@ def _legs_of_steps(
     steps = as_steps(path)
     for k, step in enumerate(steps):
         try:
-            legs = _bend_legs(rod, **step, side=None if k else side, mode=1 if k else mode)
+            legs = _bend_legs(rod, Change(**step) if k else Change(**step, side=side, mode=mode))
         except NotConvergedError as error:
             raise NotConvergedError(f"step {k + 1} of {len(steps)} of the path: {error}") from error
         yield legs
@@ -571,9 +572,7 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
     """Return the steps of a path as keywords of `bend`. Pairs of numbers are positions of the end."""
     if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
         steps = [dict(step) for step in path if isinstance(step, Mapping)]
-        names = {
-            "start", "end", "angles", "gravity", "force", "moment", "supports", "between", "loads",
-        }  # fmt: skip
+        names = {field.name for field in fields(Change)} - {"guess", "side", "mode", "samples"}
         for step in steps:
             if set(step) - names:
                 raise InputError(

@@ -50,18 +50,15 @@ def solve_bordered(
     *,
     right: FloatArray,
     below: FloatArray,
-    columns: FloatArray | None = None,
     corner: FloatArray | float = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
-    """Solve [[A, columns], [rows, corner]] (x, y) = (right, below) with a symmetric tridiagonal matrix A (n, n).
+    """Solve [[A, rows.T], [rows, corner]] (x, y) = (right, below) with a symmetric tridiagonal matrix A (n, n).
 
     Parameters
     ----------
     rows : (k, n) array
     right : (n,) array
     below : (k,) array
-    columns : (n, k) array, optional
-        By default the transpose of `rows`.
     corner : (k, k) array, optional
 
     Returns
@@ -75,7 +72,7 @@ def solve_bordered(
         return solve_tridiagonal(diagonal, off, right), np.zeros(0)
     both = np.empty((right.size, k + 1), order="F")
     both[:, 0] = right
-    both[:, 1:] = rows.T if columns is None else columns
+    both[:, 1:] = rows.T
     solved = solve_tridiagonal(diagonal, off, both).T
     products = rows @ solved.T
     y = np.linalg.lstsq(products[:, 1:] - corner, products[:, 0] - below, rcond=1e-14)[0]

@@ -96,11 +96,11 @@ class Visit:
 
     @property
     def changed(self) -> tuple[bool, ...] | None:
-        """`taut` with the flag changed that contradicts forces or gaps most, or None if no flag does."""
+        """`taut` with the flag changed that contradicts gaps, or else forces, most, or None if no flag does."""
         shape = shape_of(self.state)
         pairs = zip(self.elements, self.taut, strict=True)
         wrong = np.array([wrong_force(action, shape) if taut else 0.0 for action, taut in pairs])
-        return self._with_flag(wrong, _rounded(self.state)) or self.closed
+        return self.closed or self._with_flag(wrong, _rounded(self.state))
 
     @property
     def closed(self) -> tuple[bool, ...] | None:
@@ -205,13 +205,13 @@ class Segment:
             for action, first, last in zip(elements, self.mounts, self.elements, strict=True)
         )
 
-    def moved(self, visit: Visit, t: float, turn: float = LARGEST_TURN_RAD) -> tuple[Visit, int] | None:
+    def moved(self, visit: Visit, t: float) -> tuple[Visit, int] | None:
         """Return the equilibrium at t near a visit, and the number of Newton steps, or None if none was found.
 
         A shape far from the one that the first Newton step predicts may be on another branch, and is not taken.
         """
         start = visit.state.under(self.system(t, visit.elements, visit.taut))
-        corrected = correct(start, turn=turn)
+        corrected = correct(start, turn=LARGEST_TURN_RAD)
         if corrected is None:
             return None
         turned = corrected[0].angles - start.angles
@@ -253,7 +253,7 @@ class Segment:
             if rest is None or _is_kinked(rest):
                 return None
             visit = Visit.of(t, rest, now.elements, now.taut)
-            changed = visit.closed or visit.changed
+            changed = visit.changed
             if changed is None:
                 return visit
             state, visit = self.switched(visit, changed), replace(visit, taut=changed)
@@ -297,7 +297,18 @@ class FollowedPath:
         """
         # of several visits at one place, the last is after the event there
         near = next((visit for visit in reversed(self.visits) if visit.t <= t), self.visits[0])
-        return near if near.t >= t else _stepped(self.segment, near, t)
+        if near.t >= t:
+            return near
+        beyond = next(visit for visit in self.visits if visit.t > t)
+        between = None if near.taut != beyond.taut else self.segment.moved(_interpolated(near, beyond, t), t)
+        return _stepped(self.segment, near, t) if between is None else between[0]
+
+
+def _interpolated(first: Visit, last: Visit, t: float) -> Visit:
+    """Return the first guess at t between two visits with the same taut rails and ties."""
+    a, b = first.state, last.state
+    step = Step(b.angles - a.angles, b.reactions - a.reactions)
+    return replace(first, state=a.moved(step, (t - first.t) / (last.t - first.t)))
 
 
 def _stepped(segment: Segment, visit: Visit, goal: float) -> Visit:
@@ -445,7 +456,8 @@ def _left(segment: Segment, before: Visit, t: float, side: int | None) -> Event:
             pushed = before.state.under(segment.system(at, before.elements, before.taut)).moved(push, sign)
             visit = segment.settled(at, pushed, before)
             if visit is not None:
-                found.append(visit)
+                # the other shape exists at this place too, but a buckled one only beyond it
+                found.append(visit if buckles else _stepped(segment, visit, t))
                 break
     differ = len(found) > 1 and np.abs(found[0].state.angles - found[1].state.angles).max() > PUSH_RAD / 4
     after, other = (*found, None, None)[:2]

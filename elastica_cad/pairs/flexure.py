@@ -50,7 +50,7 @@ from elastica_cad.geometry.plane_points import (
     unit_vectors,
 )
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
-from elastica_cad.mechanics.bending import bend_path, snap_percent
+from elastica_cad.mechanics.bending import Leg, path_legs
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
@@ -86,8 +86,6 @@ LEAST_GAP_MM = 0.3
 NAME_MM = 3.0  # height of the engraved names of both states on the holder, mm
 
 TRAVEL_STEPS = 48
-# distance from a snap, as a fraction of the path, at which the shapes before and after the snap are computed
-SNAP_SHARE = 1e-3
 SHAPES = 8  # number of shapes on a path in which the part is checked for contact with itself
 State: TypeAlias = Literal["first", "second"]
 STATES = get_args(State)
@@ -747,39 +745,36 @@ class Flexure:
             self.bistable and reached,
         )  # fmt: skip
 
-    def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to each travel in `places`, mm; by default to the other state."""
+    def _push(self, start: Rod, scale: float) -> PushPath:
+        """Return the path of a push to the other state."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
-        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in places or (float(norm(push)),)]
-        return push_path(start, at, push, np.unique(travel), thickness=scale)
+        return push_path(
+            start, at, push, np.linspace(0.0, float(norm(push)), TRAVEL_STEPS + 1), thickness=scale
+        )
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
         path = self._push(start, scale)
         if path.snap is None:
             return path
         peak = path.travel[path.force[path.travel <= path.snap].argmax()]
-        return path.merged(self._push(start, scale, path.snap, 2 * float(peak)))
+        return path.finer(np.linspace(0.0, (path.snap, 2 * peak), TRAVEL_STEPS + 1).ravel())
+
+    @cached_property
+    def _moving(self) -> Leg:
+        """Straight path of the end, which turns uniformly."""
+        first, second = self.rods
+        (leg,) = path_legs(
+            first, [{"end": second.position[-1], "angles": (first.angle[0], second.angle[-1])}]
+        )
+        return leg
 
     @cached_property
     def _rods_with_moved_end(self) -> Sequence[Rod]:
-        """Rods on the straight path of the end, which turns uniformly; there are more rods near a snap."""
-        shares = np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
-        rods = self._moved_end(shares)
-        snap = _snap_place(rods, shares)
-        if snap is None:
-            return rods
-        near = (snap + np.array([-SNAP_SHARE, SNAP_SHARE])).clip(0.0, 1.0)
-        return self._moved_end(np.union1d(shares, near))
-
-    def _moved_end(self, shares: FloatArray) -> Sequence[Rod]:
-        first, second = self.rods
-        ends = first.position[-1] + shares[:, None] * (second.position[-1] - first.position[-1])
-        angles = first.angle[-1] + shares * (second.angle[-1] - first.angle[-1])
-        steps = [
-            {"end": end, "angles": (first.angle[0], angle)} for end, angle in zip(ends, angles, strict=True)
-        ]
-        return bend_path(first, steps)
+        """Rods at equal steps of the path, and just before and after a snap."""
+        near = [share * event.t for event in self._moving.path.leaps[:1] for share in (1 - 1e-6, 1.0)]
+        shares = np.union1d(np.linspace(0.0, 1.0, TRAVEL_STEPS + 1), near)
+        return [self._moving.rod(t) for t in shares.tolist()]
 
     def _led(self) -> FlexureTravel:
         """Path from the first to the second state with the end moved: force, energy and strain at each step."""
@@ -793,9 +788,10 @@ class Flexure:
         turns = bool(travel[-1] <= 1e-9 * first.length)
         if turns:
             travel = np.degrees(np.abs([rod.angle[-1] - first.angle[-1] for rod in rods]))
-        snap, jump = _snap_place(rods, travel), None
-        if snap is not None:
-            k = int(travel.searchsorted(snap))
+        snap, jump = None, None
+        for event in self._moving.path.leaps[:1]:
+            snap = event.t * float(travel[-1])
+            k = int(travel.searchsorted(snap * (1 - 1e-9)))
             jump = float(force[k - 1]), float(force[k])
         return FlexureTravel(
             travel, force, energy, np.array([rod.position for rod in rods]), strains.max(axis=1), snap,
@@ -1004,14 +1000,6 @@ class Flexure:
             if back is not None:
                 report |= {"largest_force_back_N": back.largest_force, "work_back_N_mm": back.work}
         return report
-
-
-def _snap_place(rods: Sequence[Rod], path: FloatArray) -> float | None:
-    """Return the place on a path (k,), one for each of k rods, at which the first of them snapped, or None."""
-    for k, rod in enumerate(rods):
-        if (percent := snap_percent(rod)) is not None:
-            return float(np.interp(k - 1 + percent / 100, np.arange(path.size), path))
-    return None
 
 
 def _overhang(h: float, r: float) -> float:

@@ -5,10 +5,7 @@ stretch nearly depend on each other at a snap. The push is a `Guide`: it holds o
 push, and its force is the force of the push.
 """
 
-from collections import deque
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -19,13 +16,10 @@ from elastica_cad.geometry.plane_points import midpoints, norm, unit
 from elastica_cad.mechanics.bending import state_of, system_of
 from elastica_cad.mechanics.discrete_rod import Compression
 from elastica_cad.mechanics.elements import ElementForce, Guide, Mount, require_free_between
-from elastica_cad.mechanics.followed_path import shape_of
+from elastica_cad.mechanics.followed_path import FollowedPath, Segment, Visit, followed, shape_of
 from elastica_cad.mechanics.newton_continuation import correct, relax
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import RodState
-
-EXTRAPOLATED = 3
-"""Number of states from which the next state of a push is extrapolated."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,14 +62,10 @@ class PushPath:
         Changes of curvature at the nodes, 1/mm.
     stretch : (k, n) array
         Axial strains at the nodes.
-    released : (n, 2) array
-        Positions of the nodes, mm, at rest after the push is removed at the last step.
     s : (n,) array
         Arc lengths of the nodes, mm.
-    at : float
-        Arc length of the pushed point, mm.
-    direction : (2,) array
-        Unit vector of the push.
+    way : FollowedPath
+        Equilibria along the whole travel.
     """
 
     travel: FloatArray
@@ -84,19 +74,27 @@ class PushPath:
     position: FloatArray
     bend: FloatArray
     stretch: FloatArray
-    released: FloatArray
     s: FloatArray
-    at: float
-    direction: FloatArray
+    way: FollowedPath
 
-    def merged(self, other: "PushPath") -> "PushPath":
-        """Return the path with the shapes and forces of both paths, which begin at the same rest shape."""
-        travel, order = np.unique(np.concatenate([self.travel, other.travel]), return_index=True)
-        names = ("force", "energy", "position", "bend", "stretch")
-        both: dict[str, Any] = {
-            name: np.concatenate([getattr(self, name), getattr(other, name)])[order] for name in names
-        }
-        return replace(self, travel=travel, **both)
+    @classmethod
+    def listed(cls, way: FollowedPath, travel: FloatArray, length: float, s: FloatArray) -> "PushPath":
+        """Return the shapes and forces at the displacements `travel` (k,), mm, on a path of the given length."""
+        states = [way.at(u / length).state for u in travel]
+        position, bend, stretch = map(np.array, zip(*map(_nodal, states), strict=True))
+        force, energy = np.array([(state.reactions[-1], state.energy) for state in states]).T
+        return cls(travel, force, energy, position, bend, stretch, s, way)
+
+    @property
+    def released(self) -> FloatArray:
+        """Positions (n, 2) of the nodes, mm, at rest after the push is removed at the end of the travel."""
+        last = self.way.visits[-1].state
+        return _settled(replace(last.system, actions=()).state(last.angles, last.reactions[:2])).position
+
+    def finer(self, travel: FloatArray) -> "PushPath":
+        """Return the path with more shapes, at the displacements `travel`, mm, of the same push."""
+        length = float(self.travel[-1])
+        return self.listed(self.way, np.union1d(self.travel, travel.clip(0.0, length)), length, self.s)
 
     @property
     def largest_force(self) -> float:
@@ -172,23 +170,14 @@ def push_path(
     if not away.any():
         raise InputError(f"the direction of the push is {direction!r}: give two numbers, not both 0")
     away = unit(away)
+    steps, place, reactions = numbers(travel, "travel"), shape_of(free).at(at), free.reactions
     guide = ElementForce(Guide((float(away[0]), float(away[1]))), np.array([at]), np.zeros((1, 2)))
-    place = shape_of(free).at(at)
-    steps, state, shapes = numbers(travel, "travel"), free, []
-    recent: deque[tuple[float, RodState]] = deque(maxlen=EXTRAPOLATED)
-    for u in steps:
-        x, y = (place + u * away).tolist()
-        system = replace(free.system, actions=(replace(guide, mount=Mount((x, y))),))
-        ahead = _followed(system.state(*_extrapolated(recent, u))) if recent else None
-        if ahead is None:
-            recent.clear()
-            ahead = _settled(system.state(state.angles, state.reactions))
-        recent.append((u, ahead))
-        state = ahead
-        shapes.append((state.actions[0].force[0] @ away, state.energy, *_nodal(state)))
-    force, energy, position, bend, stretch = map(np.array, zip(*shapes, strict=True))
-    released = _settled(free.system.state(state.angles, state.reactions[:2])).position
-    return PushPath(steps, force, energy, position, bend, stretch, released, rod.s, at, away)
+    first, last = (Mount(tuple((place + u * away).tolist())) for u in (0.0, steps[-1]))
+    segment = Segment(free.system, free.system, (replace(guide, mount=last),), (first,))
+    begin = segment.system(0.0, (guide,), (True,)).state(free.angles, reactions)
+    return PushPath.listed(
+        followed(segment, Visit.of(0.0, begin, (guide,), (True,))), steps, float(steps[-1]), rod.s
+    )
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
@@ -229,22 +218,10 @@ def _rest_state(rod: Rod, thickness: float | None) -> RodState:
     return _settled(state_of(rod, system))
 
 
-def _extrapolated(recent: Iterable[tuple[float, RodState]], u: float) -> tuple[FloatArray, FloatArray]:
-    """Return edge angles and reactions at the displacement u, mm, by a polynomial through the recent states."""
-    travel, states = zip(*recent, strict=True)
-    weights = np.linalg.pinv(np.vander(np.array(travel) - u, increasing=True))[0]
-    return weights @ [state.angles for state in states], weights @ [state.reactions for state in states]
-
-
-def _followed(state: RodState) -> RodState | None:
-    """Return the equilibrium near a state by Newton's method, or None if there is none or it is unstable."""
-    corrected = correct(state)
-    return None if corrected is None or corrected[0].discrete.unstable_modes else corrected[0]
-
-
 def _settled(state: RodState) -> RodState:
     """Return the stable equilibrium that a rod reaches from a state, smoothly or by a snap."""
-    rest = _followed(state) or relax(state)
+    corrected = correct(state)
+    rest = relax(state) if corrected is None or corrected[0].discrete.unstable_modes else corrected[0]
     if rest is None:
         raise NotConvergedError(
             "no equilibrium of the pushed rod was found: push it less far, or at another place"

@@ -168,10 +168,9 @@ class Travel:
     @property
     def sag(self) -> FloatArray:
         """Largest displacement (k,), mm, of a point of the strip from its shape before the stage of each row."""
-        before = [self.stages[k].leg.rod(0.0) for k, _ in self.places]
-        return np.array(
-            [norm(rod.position - rest.position).max() for rod, rest in zip(self.rods, before, strict=True)]
-        )
+        before = [stage.leg.rod(0.0).position for stage in self.stages]
+        pairs = zip(self.rods, self.places, strict=True)
+        return np.array([norm(rod.position - before[k]).max() for rod, (k, _) in pairs])
 
     @property
     def support_force(self) -> FloatArray:
@@ -300,20 +299,21 @@ class Travel:
 
     def _first_failure(self, fails: Callable[[Rod], bool]) -> Place | None:
         """Return the first place at which `fails` is True, within 1e-4 of its stage, or None."""
-        first = self.stages[0].leg
-        # a strip that nothing changes is known at the end of its path only
-        before: Place = (0, first.path.visits[0].t % 1.0)
-        if fails(first.rod(0.0)):
-            return before
-        for place, rod in zip(self.places, self.rods, strict=True):
-            if fails(rod):
-                stage, high = place
-                low, leg = before[1] if before[0] == stage else 0.0, self.stages[stage].leg
+        for stage, leg in enumerate(one.leg for one in self.stages):
+            first, *later = leg.path.visits
+            # a strip that nothing changes is known at the end of its path only
+            low = first.t % 1.0
+            if fails(leg.rod(first.t)):
+                return stage, low
+            for visit in later:
+                high = visit.t
+                if not fails(leg.rod(high)):
+                    low = high
+                    continue
                 while high - low > 1e-4:
                     middle = (low + high) / 2
                     low, high = (low, middle) if fails(leg.rod(middle)) else (middle, high)
                 return stage, high
-            before = place
         return None
 
     def table(self) -> dict[str, FloatArray | BoolArray]:

@@ -380,7 +380,7 @@ def test_a_setting_that_jumps_names_place_and_forces(rise, width, thickness, uni
             "end": first.position[-1] + at * (second.position[-1] - first.position[-1]),
             "angles": (first.angle[0], first.angle[-1] + at * (second.angle[-1] - first.angle[-1])),
         }
-        for at in (share - 1e-3, share + 1e-3)
+        for at in (share - 1e-5, share + 1e-5)
     ]
     near = bend(first, **held[0])
     far = bend(second, **held[1])
