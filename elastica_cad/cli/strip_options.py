@@ -14,6 +14,7 @@ from elastica_cad.cli.element_options import (
     cut_options,
     element_options,
     element_table,
+    elements_of,
 )
 from elastica_cad.cli.options import (
     POINT,
@@ -196,7 +197,7 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
                      help="Ends that stay in place when the curve changes  [default: both]"),
     ),
     "weight": (
-        click.option("--gravity", is_flag=True, help="Include the weight of the strip."),
+        click.option("--gravity", is_flag=True, help="Include the weight of the strip, as every load does."),
         click.option("--down", type=POINT, metavar="X Y",
                      help="Direction of gravity in the drawing  [default: 0 -1]"),
         element_options(LOADS),
@@ -260,7 +261,7 @@ def table_of(chosen: Chosen) -> dict[str, Any]:
     if chosen["keep_ends"] is not None:
         ends = BOTH_ENDS[chosen["keep_ends"]]
         put(table, "keep.ends", ends if isinstance(ends, bool) else list(ends))
-    refuse_idle({"down": ("gravity", "point_mass")} | dict.fromkeys(CUTS, ("pin", "tie")))
+    refuse_idle({"down": ("gravity", *LOADS)} | dict.fromkeys(CUTS, ("pin", "tie")))
     gravity = True if chosen["down"] is None else list(chosen["down"])
     if chosen["gravity"]:
         table["gravity"] = gravity
@@ -268,7 +269,7 @@ def table_of(chosen: Chosen) -> dict[str, Any]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
     table |= given_of(chosen, ["natural_curvature"]) | element_table(chosen)
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
-    if chosen["point_mass"]:
+    if elements_of(chosen, LOADS):
         table.setdefault("gravity", gravity)
     if "keep" in table and "limits" not in table:
         raise InputError("The keys of `keep` apply only if the curve may change. Add --nearest.")

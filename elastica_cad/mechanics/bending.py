@@ -36,6 +36,7 @@ from elastica_cad.mechanics.elements import (
     Tie,
     lumped,
     require_elements,
+    resultant,
     weight_with_loads,
     with_placed_masses,
 )
@@ -74,6 +75,10 @@ Keep = Literal["keep"]
 
 # force components up to this fraction of the largest force in the rod are rounding errors
 ROUNDED_SHARE = 1e-12
+# largest sum of the forces, and of their moments, on a bent rod, as a fraction of the sum of their sizes
+BALANCED_SHARE = 1e-6
+# a force of this size, times stiffness / length^2, bends a rod by about this angle, rad
+SMALLEST_FORCE = 1e-3
 # fraction of the path at which a straight rod is first computed, already bent
 FIRST_SHARE = 0.004
 
@@ -367,18 +372,23 @@ def _arched(segment: Segment, visit: Visit, side: int | None) -> FloatArray | No
     return np.asarray(state.angles + side * 2 * np.sqrt(1 - cord.mounting.length / (high - low)) * wave)
 
 
+def _taut(elements: Sequence[ElementForce], shape: ShapeOfRod) -> tuple[bool, ...]:
+    """Return which rails, pins and ties carry load, or touch the strip without a gap."""
+    return tuple(
+        not action.is_one_sided
+        or bool(action.force.any())
+        or violation(action, shape) >= -MEETS_SHARE * shape.length
+        for action in elements
+    )
+
+
 def segment_to(requested: Rod, rod: Rod, system: RodSystem) -> tuple[Segment, Visit]:
     """Return the path from the present shape of `rod` to `system`, and the shape as its first visit."""
     elements, shape = requested.between, ShapeOfRod.of(rod)
     mounts = tuple(_begins(action, shape) for action in elements)
     segment = Segment(_present(rod, system, elements), system, elements, mounts)
     begins = segment.elements_at(0.0, elements)
-    taut = tuple(
-        not action.is_one_sided
-        or bool(action.force.any())
-        or violation(action, shape) >= -MEETS_SHARE * shape.length
-        for action in begins
-    )
+    taut = _taut(begins, shape)
     return segment, Visit(0.0, state_of(rod, segment.system(0.0, begins, taut)), begins, taut)
 
 
@@ -408,7 +418,26 @@ def _leg(
         )
     if requested.between:
         path.visits[-1].require_held()
-    return Leg(path, requested, **kind)
+    leg = Leg(path, requested, **kind)
+    _require_balanced(leg.rod(1.0))
+    return leg
+
+
+def _require_balanced(rod: Rod) -> None:
+    """Require that the forces of the result on a bent rod, and their moments, add up to zero."""
+    nodes, acting, moment = rod.position, rod.acting, rod.moment
+    points = [nodes[[0, -1]], nodes, *(action.points_on(nodes, rod.length) for action in acting)]
+    forces = [rod.support_forces, rod.nodal_load, *(action.force for action in acting)]
+    rest = np.abs(resultant(
+        np.concatenate(points) - nodes[0], np.concatenate(forces), rod.length, moment=float(moment[-1] - moment[0]),
+        other=float(np.abs(moment).max()) / rod.length + SMALLEST_FORCE / rod.length**2,
+    )).max()  # fmt: skip
+    if rest > BALANCED_SHARE:
+        raise NotConvergedError(
+            "the forces on the bent strip do not balance: {percent:.2g} % of them is left. Use another number of "
+            "samples",
+            percent=100 * float(rest),
+        )
 
 
 def first_visit(
@@ -437,6 +466,8 @@ def first_visit(
         if not visit.elements and reached.arrived and is_balanced(reached.state):
             found.append(replace(visit, t=t, state=reached.state))
         else:
+            begins = segment.elements_at(t, visit.elements)
+            visit = replace(visit, taut=_taut(begins, shape_of(reached.state)))
             bent = segment.system(t, visit.elements, visit.taut).state(reached.state.angles)
             found.append(segment.at_rest(t, _with_reactions(bent), visit))
         if isinstance(found[-1], Visit) and not found[-1].state.discrete.unstable_modes:

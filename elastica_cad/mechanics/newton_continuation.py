@@ -319,7 +319,8 @@ def _nearest_angle(near: float, chord: FloatArray) -> float:
 
 def must_shorten(state: RodState) -> bool:
     """Return True if a straight state must bend before its ends can reach their positions."""
-    system, miss = state.system, state.residual.miss
+    system = state.system
+    miss = state.residual.miss[: len(system.held)]
     if np.abs(miss).max(initial=0.0) <= 1e-9 * system.length:
         return False
     rows = state.discrete.constraint_rows

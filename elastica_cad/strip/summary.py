@@ -479,7 +479,10 @@ def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
 def not_computed_row(strip: Strip) -> Row | None:
     """Return the row on accuracy of a strip whose accuracy is not computed, with the reason, or None."""
     if strip.rod.acting:
-        return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
+        return Row(note("Accuracy"), note(
+            "not computed for a strip with rails, pins, ties or point forces, because the model of the strip as "
+            "made has supports at its ends only"
+        ))  # fmt: skip
     if can_snap(strip):
         return Row(note("Accuracy"), note("not computed, because the strip can snap into another shape"))
     return None

@@ -161,6 +161,10 @@ def test_a_drag_and_every_command(tmp_path):
     assert found["nest"] == [["Up-to-date"], 1]
     assert "is stable" in found["bend"]
     assert "sideways" not in found["bend"]
+    assert "snaps" not in found["bend"]
+    assert re.search("snaps into another shape after [0-9.]+ % of the path", found["bend snaps"]), (
+        "also if it snapped while the numbers were typed, one after the other"
+    )
     assert "the strip tips over sideways" in found["bend sideways"], (
         "nearly a loop, five times as wide as thick"
     )

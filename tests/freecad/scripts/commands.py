@@ -207,7 +207,14 @@ def bend_command(document, strip):
     document.undo()
     assert document.getObject("Bent") is None
     choose(strip)
-    open_panel("Elastica_Bend").reject()
+    panel = open_panel("Elastica_Bend")
+    fill(panel, StartAngle=-75.0)
+    fill(panel, EndAngle=75.0)
+    fill(panel, StartAngle=-150.0)
+    fill(panel, EndAngle=150.0)
+    at_rest()
+    answers["bend snaps"] = panel.form.message.text()
+    panel.reject()
     options = strip.Sheet, strip.MaxWidth
     strip.Sheet, strip.MaxWidth = "pom-1", 5.0
     document.recompute()

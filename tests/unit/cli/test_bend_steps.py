@@ -7,6 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.mechanics.bending import bend_path
+from elastica_cad.strip.travel import bend_strip
 from tests.command_line import run
 
 HUNG = "--hold-start pinned --hold-end pinned --side left --sheet spring-steel-0.5 --max-width 20"
@@ -49,6 +50,35 @@ def test_the_number_of_steps_only_lists(tmp_path):
     for end in ends[1:]:
         assert end["size"] == pytest.approx(ends[0]["size"], rel=1e-7)
         assert end["margin"] == pytest.approx(ends[0]["margin"], rel=1e-6)
+
+
+def random_move(seed):
+    """Straight or arched strip whose end moves, with a rail, pin, cord or nothing, and perhaps a force."""
+    rng = np.random.default_rng(seed)
+    rod, side = ec.Rod.straight(300.0, samples=101), int(rng.choice([-1, 1]))
+    if rng.random() < 0.5:
+        rise, share = rng.uniform(20, 120), rng.uniform(0.6, 1.0)
+        arch = ec.PlaneCurve.spline([(0, 0), (60, rise), (160, share * rise), (240, 0)], degree=3)
+        rod, side = ec.optimal_rod(arch, samples=101), None
+    move = rng.uniform(0.02, 0.2) * rod.length * np.array([-1.0, rng.uniform(-0.5, 0.5)])
+    at = rng.uniform(0.3, 0.7, 3) * rod.length
+    step = {
+        "end": rod.position[-1] + move,
+        "supports": ec.Supports("pinned", str(rng.choice(["pinned", "clamped"]))),
+    }
+    held = [(), ec.Rail(at[0]), ec.Pin(at[0]), ec.Tie(0.2 * rod.length, 0.8 * rod.length)][rng.integers(4)]
+    step |= {"between": held, "loads": ec.PointForce(at[1], (0.0, -rng.uniform(0.02, 2.0)))}
+    return ec.Strip(rod, "pom-2", max_width=20), step, side
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_random_moves_do_not_depend_on_the_number_of_steps(seed):
+    strip, step, side = random_move(seed)
+    one, several = (bend_strip(strip, [step], side=side, steps=steps) for steps in (1, 7))
+    assert one.rods[-1].position == pytest.approx(several.rods[-1].position, abs=1e-6)
+    assert [(k, event.kind) for k, event in one.leaps] == [(k, event.kind) for k, event in several.leaps]
+    for name in ("snaps_at", "strained_at", "crosses_at"):
+        assert getattr(one, name) == getattr(several, name)
 
 
 def test_the_load_and_its_sag_are_the_axes(tmp_path):

@@ -279,6 +279,17 @@ def test_forces_and_moments_add_up_or_the_supports_are_refused(seed):
             assert abs(across) <= 1e-6 * np.abs(bent.force).max()
 
 
+@pytest.mark.parametrize("between", [ec.Tie(60.0, 240.0), ec.Rail(120.0)])
+@pytest.mark.parametrize("supports", [("clamped", "clamped"), ("pinned", "pinned")])
+def test_a_straight_strip_is_bent_while_something_holds_it(between, supports):
+    """It is bent to its side although a rail or cord already touches it; the cord becomes slack."""
+    rod = ec.Rod.straight(300.0, samples=101, supports=ec.Supports(*supports), bending_stiffness=1e4)
+    bent = ec.bend(rod, end=(280, -5), side=1, between=between, loads=ec.PointForce(140.0, (0.0, -0.1)))
+    assert np.max(balance_of(bent)) < 1e-6
+    assert bent.position[:, 1].max() > 5
+    assert bent.between[0].force.any() == isinstance(between, ec.Rail)
+
+
 @pytest.mark.parametrize(
     ("between", "supports"),
     [

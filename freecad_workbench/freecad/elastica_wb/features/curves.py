@@ -34,7 +34,7 @@ from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_n
 from elastica_cad.errors import InputError, Listed, note, sentences
 from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.bending import Leg, path_legs
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 
@@ -86,11 +86,13 @@ class BentFeature(Feature):
         if not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
         rest = strip_of(obj.Strip).rod_to_bend
-        rod = moved(rest, {name: getattr(obj, name).Value for name in MOVES})
+        leg = way(rest, {name: getattr(obj, name).Value for name in MOVES})
+        rod = leg.rod(1.0)
         obj.Shape = spline_geometry(rod.curve).toShape()
         obj.Placement = drawn_curve(obj.Strip.Curve, obj).placement
-        reports = [line for line in rod.warnings if line not in rest.warnings]
-        put(obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=reports)
+        put(
+            obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=list(leg.warnings)
+        )
 
 
 class SectionFeature(Feature):
@@ -175,18 +177,21 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
     return obj
 
 
-def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """Return the rod `rest` after its ends were displaced (mm) and rotated (degrees).
+def way(rest: Rod, change: dict[str, float]) -> Leg:
+    """Return the shapes of the rod `rest` while its ends are displaced (mm) and rotated (degrees).
 
-    The keys of `change` are the names in `MOVES`. The solver starts from the rod `guess`, by default `rest`.
+    The keys of `change` are the names in `MOVES`.
     """
-    start = rest.position[0] + (change["StartX"], change["StartY"])
-    end = rest.position[-1] + (change["EndX"], change["EndY"])
     angles = [
         float(rest.angle[i]) + math.radians(change[name]) if support.angle else None
         for i, name, support in zip((0, -1), MOVES[4:], rest.supports.ends, strict=True)
     ]
-    return bend(rest if guess is None else guess, start=start, end=end, angles=(angles[0], angles[1]))
+    (leg,) = path_legs(rest, [{
+        "start": rest.position[0] + (change["StartX"], change["StartY"]),
+        "end": rest.position[-1] + (change["EndX"], change["EndY"]),
+        "angles": angles,
+    }])  # fmt: skip
+    return leg
 
 
 def largest_move(rest: Rod, rod: Rod) -> float:

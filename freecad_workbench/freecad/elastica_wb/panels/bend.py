@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
-from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, moved
+from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, way
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
@@ -16,6 +16,7 @@ from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import Length, note, sentences
+from elastica_cad.mechanics.bending import Leg
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.strip.strip import strip_sideways
@@ -53,9 +54,8 @@ class BendPanel(Panel):
             self._safely_changed()
 
     def changed(self) -> None:
-        """Bend the strip from its current shape to the ends set in the widgets."""
-        self.rod = self._bent(1.0, self.rod)
-        self._show(self.rod)
+        """Bend the strip to the ends set in the widgets."""
+        self._show(self._way(), 1.0)
 
     def dragged(self, end: int, place: tuple[float, float]) -> None:
         """Move the start (0) or the end (1) to the dragged handle, in the plane of the curve."""
@@ -69,13 +69,11 @@ class BendPanel(Panel):
         """Animate the whole motion in small steps."""
         from freecad.elastica_wb.host.qt import QtWidgets
 
-        rod = self.rest
         with self.telling():
-            for fraction in np.linspace(0.0, 1.0, 21)[1:]:
-                rod = self._bent(float(fraction), rod)
-                self._show(rod)
+            leg = self._way()
+            for t in np.linspace(0.0, 1.0, 21)[1:].tolist():
+                self._show(leg, t)
                 QtWidgets.QApplication.processEvents()
-            self.rod = rod
 
     def finished(self) -> None:
         """Store the displacements and rotations in a feature that depends on the strip."""
@@ -91,10 +89,12 @@ class BendPanel(Panel):
             if getattr(self.feature, name).Value != value:
                 record_value(self.feature, name, value)
 
-    def _bent(self, fraction: float, guess: Rod) -> Rod:
-        return moved(self.rest, {name: fraction * self.value(name) for name in MOVES}, guess)
+    def _way(self) -> Leg:
+        return way(self.rest, {name: self.value(name) for name in MOVES})
 
-    def _show(self, rod: Rod) -> None:
+    def _show(self, leg: Leg, t: float) -> None:
+        """Show the strip at the fraction t of its motion, and what happens on the way."""
+        self.rod = rod = leg.rod(t)
         self._draw(rod)
         state = stability(rod)
         words = note(
@@ -103,7 +103,7 @@ class BendPanel(Panel):
             "The strip moves by at most {far:.2f} and is unstable; its stability margin is {margin:.3g}.",
             far=Length(largest_move(self.rest, rod)), margin=state.margin,
         )  # fmt: skip
-        fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
+        fresh: list[str] = [*leg.warnings]
         tips = strip_sideways(rod, self.strip.layout)
         if tips.needs_guiding:
             fresh.append(str(tips))
