@@ -56,12 +56,11 @@ from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import File, text_file, write_files
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import norm, points_at
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import Leg, path_legs, places_of
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Tie
 from elastica_cad.mechanics.loads import (
-    Gravity,
     Supports,
     require_supports,
 )
@@ -69,7 +68,7 @@ from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.newton_continuation import STRAIGHT_RAD
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
-from elastica_cad.mechanics.sheets import require_flat
+from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.model.bows import bow
 from elastica_cad.report_rows import Row, printed_table, warning_row
@@ -226,10 +225,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             f"its {end} {chosen[f'hold_{end}']}" for end in ("start", "end") if chosen[f"hold_{end}"]
         )
         say(f"the strip is designed for {curve.name} {held}, and here bent with {now}")
-    side = {"left": 1, "right": -1, None: None}[chosen["side"]]
+    side = {"left": 1, "right": -1}.get(chosen["side"])
     name = "straight" if curve is None else file_word(curve.stem)
     moved = None
-    verdicts: Sequence[Stability]
     change = _bend_keywords(before, strip, chosen)
     if chosen["shorten"] is not None and stays:
         _refuse_fixed_cords(rod, supports, change["between"])
@@ -241,12 +239,19 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if strip is None:
         legs = path_legs(rod, path, side=side)
         shapes = tuple(legs[k].rod(t) for k, t in places_of(legs, chosen["steps"]))
-        verdicts = [stability(shape) for shape in shapes]
+        verdicts = tuple(map(stability, shapes))
     else:
         moved = bend_strip(strip, path, side=side, steps=chosen["steps"])
         legs = [stage.leg for stage in moved.stages]
         shapes, verdicts = moved.rods, moved.verdicts
-    _print_shapes(rod, legs, shapes, verdicts, moved, change)
+    states = [verdict.rating for verdict in verdicts]
+    columns: dict[str, Any] = _force_columns(moved) if moved is not None else {
+        "ends_apart_mm": [norm(shape.chord) for shape in shapes],
+        "smallest_radius_mm": [_smallest_radius(shape) for shape in shapes],
+    }  # fmt: skip
+    start_deg, end_deg = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
+    say(*printed_table(columns | {"start_deg": start_deg, "end_deg": end_deg, "stability": states}))
+    say_rows(*_rows(rod, legs, shapes, states, moved, change))
     B = 1.0 if strip is None else strip.bending_stiffness
     reports = [_shape_report(*pair, B) for pair in zip(shapes, verdicts, strict=True)]
     answered = {"length": rod.length, "ratio": rod.ratio, "shapes": reports, "travel": None}
@@ -270,9 +275,7 @@ def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Ro
     if curve is not None:
         record = read_request(curve)
         if record is not None:
-            _refuse_curve_options(
-                {name for name in ("nearest", "smooth", "rod", "even") if chosen[name] not in (None, False)}
-            )
+            _refuse_curve_options({name for name in ("nearest", "smooth", "rod", "even") if chosen[name]})
         (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
         finished = None if record is None else FinishedStrip.read(record, requested.curve)
     if finished is None:
@@ -295,7 +298,11 @@ def _bent_shape(record: Any) -> tuple[Strip | None, Rod]:
     strip, rod = read_bent(record)
     heavy = () if strip is not None and rod.gravity is None else ("gravity", "down")
     typed = typed_options()
-    for name in typed.keys() & {*DESIGNED, *heavy}:
+    # the first options determine the strip before it is bent
+    for name in typed.keys() & {
+        "unit", "number", "layer", "smooth", "nearest", "sheet", "thickness", "max_width", "rod", "even",
+        "settings", *heavy,
+    }:  # fmt: skip
         raise InputError(
             "The strip is already bent, so {option} has no effect. Leave it out, or bend the report of "
             "`elastica strip`.",
@@ -303,12 +310,6 @@ def _bent_shape(record: Any) -> tuple[Strip | None, Rod]:
         )
     refuse_idle({"down": ("gravity", *LOADS)})
     return strip, rod
-
-
-DESIGNED = (
-    "unit", "number", "layer", "smooth", "nearest", "sheet", "thickness", "max_width", "rod", "even", "settings",
-)  # fmt: skip
-"""Options that determine the strip before it is bent."""
 
 
 def _refuse_uncompensated(settings: Mapping[str, Any], finished: FinishedStrip | None) -> None:
@@ -339,8 +340,8 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
     _refuse_curve_options(
         set(table) & {*SOLVED, "length", "samples", "between", "supports"} - {"ignore_limits"}
     )
-    sheet = requested_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
-    if "sheet" not in table and "thickness" in table:
+    sheet = Sheet.named(table["sheet"]) if "sheet" in table else spec.material
+    if "thickness" in table:
         sheet = sheet.with_thickness(table["thickness"])
     reader, keys = Reader(read_curves=read_curves_with_note, sheet=sheet), Table(table, "", {})
     fields = {
@@ -348,7 +349,8 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
         for entry in fields_of(BentKeys)
         if entry.name in table and entry.name not in ("sheet", "thickness")
     }
-    fields |= {} if sheet is spec.material else {"sheet": sheet}
+    if sheet is not spec.material:
+        fields["sheet"] = sheet
     return finished.changed(**fields) if fields else finished
 
 
@@ -382,7 +384,9 @@ def _even_strip(requested: RequestedCurve | None, chosen: Chosen) -> Strip:
 
 
 def _initial_rod(requested: RequestedCurve | None, chosen: Chosen) -> Rod:
-    smooth, gravity = chosen["smooth"], _gravity(chosen)
+    smooth, gravity = chosen["smooth"], None
+    if chosen["gravity"]:
+        gravity = require_flat(requested_sheet(chosen)).gravity(chosen["down"] or (0.0, -1.0))
     if requested is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
     if chosen["rod"] or chosen["even"]:
@@ -390,12 +394,6 @@ def _initial_rod(requested: RequestedCurve | None, chosen: Chosen) -> Rod:
     limits = Limits() if chosen["nearest"] else None
     drawn = requested.curve if limits else requested.bendable(smooth)
     return accepted_rod(_solve(RodSpec(drawn, gravity, smooth=smooth, limits=limits)))
-
-
-def _gravity(chosen: Chosen) -> Gravity | None:
-    if not chosen["gravity"]:
-        return None
-    return require_flat(requested_sheet(chosen)).gravity(chosen["down"] or (0.0, -1.0))
 
 
 def _solve(spec: RodSpec) -> Rod | NearestRod:
@@ -455,12 +453,9 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
 
     Forces are in N, or in 1/mm2 if `bending_stiffness` is 1.
     """
-    B, nodes, s = bending_stiffness, shape.position, shape.s
+    B, nodes = bending_stiffness, shape.position
     (start, end), moment, load = B * shape.support_forces, B * shape.moment, norm(B * shape.nodal_load)
-    masses = [
-        _force_report(mass, B, np.column_stack([np.interp(mass.s, s, row) for row in nodes.T]))
-        for mass in shape.hung
-    ]
+    masses = [_force_report(mass, B, points_at(mass.s, shape.s, nodes)) for mass in shape.hung]
     hung = np.array([norm(mass["force"][0]) for mass in masses])
     own = load.sum() - hung.sum()
     center = load @ nodes - sum(size * mass["points"][0] for size, mass in zip(hung, masses, strict=True))
@@ -480,24 +475,6 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
 def _force_report(action: ElementForce, bending_stiffness: float, points: FloatArray) -> dict[str, Any]:
     kind = NOUNS[type(action.element)]
     return {"kind": kind, "at": action.s, "points": points, "force": bending_stiffness * action.force}
-
-
-def _print_shapes(
-    rod: Rod,
-    legs: Sequence[Leg],
-    shapes: Sequence[Rod],
-    verdicts: Sequence[Stability],
-    moved: Travel | None,
-    change: dict[str, Any],
-) -> None:
-    states = [verdict.rating for verdict in verdicts]
-    columns: dict[str, Any] = _force_columns(moved) if moved is not None else {
-        "ends_apart_mm": [norm(shape.chord) for shape in shapes],
-        "smallest_radius_mm": [_smallest_radius(shape) for shape in shapes],
-    }  # fmt: skip
-    start, end = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
-    say(*printed_table(columns | {"start_deg": start, "end_deg": end, "stability": states}))
-    say_rows(*_rows(rod, legs, shapes, states, moved, change))
 
 
 def _rows(
@@ -595,20 +572,19 @@ def _force_columns(moved: Travel) -> dict[str, Any]:
     # without loads, rails, pins and ties, the start has the opposite force of the end
     differs = bool((np.abs(start + end) > 1e-3 * size).any())
     units = {stage.unit for stage in moved.stages}
-    path = {
+    columns = {
         "travel_mm": moved.travel if "mm" in units else None,
         "turn_deg": np.degrees(moved.turn) if "deg" in units - {"mm"} else None,
         "change_applied_percent": moved.path_length if units == {"%"} else None,
         "load_N": moved.load if "N" in units else None,
         "sag_mm": moved.sag if moved.unit == "N" else None,
-    }
-    return {
-        **{name: values for name, values in path.items() if values is not None},
-        **({"start_force_x_N": start[:, 0], "start_force_y_N": start[:, 1]} if differs else {}),
+        "start_force_x_N": start[:, 0] if differs else None,
+        "start_force_y_N": start[:, 1] if differs else None,
         "end_force_x_N": end[:, 0], "end_force_y_N": end[:, 1],
         "start_moment_Nmm": moved.start_moment, "end_moment_Nmm": moved.end_moment,
         "strain_percent": 100 * moved.strain, "safety": moved.safety,
     }  # fmt: skip
+    return {name: values for name, values in columns.items() if values is not None}
 
 
 def _smallest_radius(shape: Rod) -> str:

@@ -6,7 +6,7 @@ Slots go half way into each strip, so that the strips slide into each other.
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
-from typing import Annotated, Literal, TypeVar
+from typing import Annotated, Literal
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -96,7 +96,6 @@ def _points_at_height(strip: RuledStrip, flat: FloatArray, height: FloatArray) -
 
 
 Fit = Literal["exact", "paper"]
-Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
 """Angle between strips, rad, below which a warning is added, because slots are over 7 sheet thicknesses wide."""
@@ -329,12 +328,14 @@ class _Cutter:
         slots, middle = [], np.zeros(3)
         for which, last in enumerate(self._cut_ends(members, crossing)):
             p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
-            rows, mates = _turned((p.first, p.second), which)
-            thickness, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
+            # first this strip, then its mate
+            way = 1 - 2 * which
+            rows, mates = (p.first, p.second)[::way]
+            thickness, other = (strip_thickness(self.strips[i]) for i in members[::way])
             widths = slot_width(p.angle, own=thickness, other=other, clearance=self.clearance, fit=self.fit)
             if self.fit == "exact":
-                sheets = _turned(crossing.strips, which)
-                bent = _bent_slot_width(*sheets, rows, mates, thickness=(thickness, other))
+                sheet, mate = crossing.strips[::way]
+                bent = _bent_slot_width(sheet, mate, rows, mates, thickness=(thickness, other))
                 widths = np.maximum(widths, bent + self.clearance)
             if self.clearance >= float(self.strips[members[which]].width(rows[0, 0])):
                 raise InputError(
@@ -345,8 +346,8 @@ class _Cutter:
                     rows=Length(rows[0, 0]),
                 )
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
-            mate = self.marks[self.strips[members[1 - which]].label]
-            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
+            name = self.marks[self.strips[members[1 - which]].label]
+            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=name))
             middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
@@ -410,10 +411,6 @@ def strip_thickness(strip: Strip) -> float:
     """Return the total thickness of all layers, mm."""
     backing = strip.layout.backing
     return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
-
-
-def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
-    return pair if which == 0 else (pair[1], pair[0])
 
 
 def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:

@@ -155,12 +155,15 @@ StripsAt = Callable[[float], Sequence[Placed]]
 def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
     sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     named = replace(options, name=first.name)
-    slots = [
-        slot if slot.tab is None else tab_slot(slot.tab, ground, sheet.thickness, named)
-        for slot in first.slots
-    ]
     # `_leaned` makes the whole plate around its moved slots
-    return replace(first, frame=ground, slots=tuple(slots), name=options.name, options=options)
+    behind = _with_slots(first, lambda _, tab: tab_slot(tab, ground, sheet.thickness, named))
+    return replace(behind, frame=ground, name=options.name, options=options)
+
+
+def _with_slots(plate: Plate, changed: Callable[[TabSlot, PlacedTab], TabSlot]) -> Plate:
+    """Return the plate with other slots for its tabs. Slots for tongues of other plates stay."""
+    slots = (slot if slot.tab is None else changed(slot, slot.tab) for slot in plate.slots)
+    return replace(plate, slots=tuple(slots))
 
 
 Cures = Callable[[float], str]
@@ -168,14 +171,6 @@ Cures = Callable[[float], str]
 
 The length is infinite if the tab bends too far.
 """
-
-
-def _with_endless_tabs(plate: Plate) -> Plate:
-    slots = (
-        slot if slot.tab is None else replace(slot, tab=replace(slot.tab, length=np.inf))
-        for slot in plate.slots
-    )
-    return replace(plate, slots=tuple(slots))
 
 
 def _untested_cures(length: float) -> str:
@@ -259,10 +254,10 @@ def fitting_tabs(
 def _fitted_length(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, width: float
 ) -> float:
-    _require_makeable(placed, length, width, plates[0].options)
-    tried = [_tried_pair(with_tabs(placed, length, width), plate, gap) for plate in plates]
+    sized = _makeable(placed, length, width, options_of(plates[0]))
+    tried = [_tried_pair(sized, plate, gap) for plate in plates]
     longer = max(length, *(up_to_tenth(max(needed.values())) for _, needed in tried))
-    _require_makeable(placed, longer, width, plates[0].options)
+    _makeable(placed, longer, width, options_of(plates[0]))
     return float(longer)
 
 
@@ -281,17 +276,16 @@ def with_tabs(placed: Sequence[Placed], length: float, width: float) -> list[Pla
     return [replace(member, strip=strips[member.strip]) for member in placed]
 
 
-def _require_makeable(
-    placed: Sequence[Placed], length: float, width: float, options: PlateOptions | None
-) -> None:
-    """Raise an InputError if strips with these tabs cannot be cut, or may crack where `placed` does not."""
-    shop, ignore_limits = (None, False) if options is None else (options.shop, options.ignore_limits)
+def _makeable(placed: Sequence[Placed], length: float, width: float, options: PlateOptions) -> list[Placed]:
+    """Return the strips of `with_tabs`. Refuse those that cannot be cut, or may crack where `placed` does not."""
+    sized = with_tabs(placed, length, width)
     known = {warning for member in placed for warning in member.strip.strain_warnings}
-    for strip in {member.strip: None for member in with_tabs(placed, length, width)}:
-        refuse_broken(strip, ignore_limits)
+    for strip in {member.strip: None for member in sized}:
+        refuse_broken(strip, options.ignore_limits)
         if cracks := [warning for warning in strip.strain_warnings if warning not in known]:
             raise InputError(cracks[0])
-        accept_faults(find_strip_faults(strip, shop), ignore_limits)
+        accept_faults(find_strip_faults(strip, options.shop), options.ignore_limits)
+    return sized
 
 
 def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[Plate, ...]:
@@ -313,13 +307,10 @@ def _tried_pair(
     """Return the two plates of `pair_with_tabs`, and the length, mm, that each tab needs."""
     options = options_of(first)
     tabs = {tab.key: tab for tab in place_tabs(placed)}
-    slots = [
-        slot
-        if slot.tab is None
-        else tab_slot(tabs[slot.tab.key], first.frame, first.sheet.thickness, options)
-        for slot in first.slots
-    ]
-    inner = replace(first, slots=tuple(slots), options=options)
+    inner = _with_slots(
+        replace(first, options=options),
+        lambda _, tab: tab_slot(tabs[tab.key], first.frame, first.sheet.thickness, options),
+    )
     accept_faults(shoulder_faults(tabs_of(inner), first.frame, options), options.ignore_limits)
     return _leaned(placed, (inner, _plate_behind(inner, options, gap)), _untested_cures)
 
@@ -354,7 +345,11 @@ def _leaned(
     ]
     # five rounds usually suffice, because the movement decreases tenfold in each round
     for _ in range(16):
-        leans = _displacements(ends, tab_seats(map(_with_endless_tabs, leaned)))
+        endless = (
+            _with_slots(plate, lambda slot, tab: replace(slot, tab=replace(tab, length=np.inf)))
+            for plate in leaned
+        )
+        leans = _displacements(ends, tab_seats(endless))
         first, second = (replace(plate, slots=_moved_slots(plate, leans, cures)) for plate in leaned)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
                     for pair in (leaned, (first, second)))  # fmt: skip

@@ -1,6 +1,6 @@
 """Search for changes that make a refused strip possible. Every suggested change was tested."""
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from itertools import chain, islice
@@ -52,6 +52,20 @@ MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
 
 
+COLLAPSES = "{effect}; the strip collapses under its own weight if it stands upright"
+
+DANGERS: dict[str, Callable[[Strip], object]] = {
+    "{effect}; the strip tips over sideways: guide the strip at the sides": (
+        lambda strip: strip.sideways.word == "unstable"
+    ),
+    "{effect}; the strip snaps at a small error of a clamp": clamp_warning,
+    "{effect}; a small mounting error moves the strip far": moves_far,
+    "{effect}; a small mounting error puts a pin out of reach": needs_exact_pin,
+    COLLAPSES: collapses,
+}
+"""Added texts on the effect of a change, and the tests of the strips to which they apply."""
+
+
 @dataclass(frozen=True)
 class Suggestion:
     """A tested change of a request: the strip is then possible, stable and within its strain limit.
@@ -95,29 +109,14 @@ class Suggestion:
         return self.deviation > FAR_SHARE * _size(self.requests[0])
 
     @property
-    def tips(self) -> bool:
-        """True if a strip tips over sideways."""
-        return any(strip.sideways.word == "unstable" for strip in self.strips)
-
-    @property
-    def snaps(self) -> bool:
-        """True if a small error of a clamp lets a strip snap into another shape."""
-        return any(map(clamp_warning, self.strips))
-
-    @property
-    def moves_far(self) -> bool:
-        """True if a small mounting error of a rail, pin or tie moves a strip far."""
-        return any(map(moves_far, self.strips))
-
-    @property
-    def needs_exact_pin(self) -> bool:
-        """True if a small mounting error puts a pin out of reach of a strip."""
-        return any(map(needs_exact_pin, self.strips))
+    def dangers(self) -> list[str]:
+        """Texts of `DANGERS` that apply to one of the strips."""
+        return [text for text, threatens in DANGERS.items() if any(map(threatens, self.strips))]
 
     @property
     def is_last_resort(self) -> bool:
         """True if the strip is far from the drawn curve, tips over, or is sensitive to small errors."""
-        return self.is_far or self.tips or self.snaps or self.moves_far or self.needs_exact_pin
+        return self.is_far or any(text != COLLAPSES for text in self.dangers)
 
     @property
     def effect(self) -> Refusal:
@@ -133,18 +132,8 @@ class Suggestion:
         else:
             text = "the curve as drawn, {used} % of the strain limit"
         effect = note(text, distance=about(self.deviation), **values)
-        dangers = {
-            "{effect}; the strip tips over sideways: guide the strip at the sides": self.tips,
-            "{effect}; the strip snaps at a small error of a clamp": self.snaps,
-            "{effect}; a small mounting error moves the strip far": self.moves_far,
-            "{effect}; a small mounting error puts a pin out of reach": self.needs_exact_pin,
-            "{effect}; the strip collapses under its own weight if it stands upright": any(
-                map(collapses, self.strips)
-            ),
-        }
-        for danger, applies in dangers.items():
-            if applies:
-                effect = note(danger, effect=effect)
+        for danger in self.dangers:
+            effect = note(danger, effect=effect)
         match self.change.value:
             case Rail(float(at)):
                 *_, action = self.strips[0].rod.between
