@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad.cli.bow_command import material_and_section
-from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of, load_rows
+from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of
 from elastica_cad.cli.options import (
     LENGTH,
     POINT,
@@ -75,7 +75,7 @@ from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.held_shape import Reactions
 from elastica_cad.strip.own_weight import with_weight
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
+from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move, load_rows
 from elastica_cad.strip.travel import Travel, bend_strip
 
 
@@ -496,7 +496,7 @@ def _rows(
     (x0, y0), (x1, y1) = np.round(last.position[[0, -1]], 2) + 0.0
     yield Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing")
     if moved is not None and (last.acting or change):
-        yield from load_rows(change.get("loads", ()), weight=last.gravity is not None)
+        yield from load_rows(last)
         yield _displacement_row(moved, released=change.get("between") == ())
         yield from between_rows(last, moved.strip.bending_stiffness)
         worst = int(np.argmin(moved.safety))

@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from elastica_cad._values import plain_data
-from elastica_cad.cli.element_options import LOADS, element_options, elements_of, load_rows
+from elastica_cad.cli.element_options import LOADS, element_options, elements_of
 from elastica_cad.cli.options import (
     LENGTH,
     Chosen,
@@ -41,7 +41,7 @@ from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of, room_for_h
 from elastica_cad.report_rows import Row, in_order, printed_table, warning_row
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import cut_rows, farthest_move, size_row, strain_rows
+from elastica_cad.strip.summary import cut_rows, farthest_move, load_rows, size_row, strain_rows
 from elastica_cad.strip.travel import Travel
 
 MPA_PER_GPA = 1000.0
@@ -146,7 +146,8 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     shorter = result.shortened(fractions)
     in_newtons = chosen["sheet"] is not None
     loads = elements_of(chosen, LOADS)
-    loaded = _loaded_report(result, result.under(loads)) if loads else None
+    under = result.under(loads) if loads else None
+    loaded = under and _loaded_report(result, under)
     table = _table(fractions, shorter, in_newtons=in_newtons)
     report = {
         "length_mm": Length(result.length), "cord_mm": Length(result.cord), "rise_mm": Length(result.rise),
@@ -161,8 +162,8 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     written = _write(result, shorter, table, report, requested.name, chosen)
     answer({"bow": report})
     say_rows(*in_order(_rows(result, report)))
-    if loaded is not None:
-        say_rows(*load_rows(loads, weight=True), *_loaded_rows(loaded))
+    if under and loaded:
+        say_rows(*load_rows(under.rods[0]), *_loaded_rows(loaded))
     _print_table(table)
     contents = {".csv": "the table", ".json": "all numbers and the curve", ".dxf": "drawing at full size"}
     wrote(written, contents)

@@ -9,11 +9,8 @@ import click
 
 from elastica_cad.cli.options import Chosen, Length, join_options, option_name, option_of
 from elastica_cad.declared import REQUIRED, Field, declared
-from elastica_cad.errors import Force
-from elastica_cad.errors import Mass as Grams
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
-from elastica_cad.report_rows import Row
 
 RECORDS: dict[str, tuple[type, str]] = {
     "rail": (Rail, "Rail across the strip, which slides over it."),
@@ -125,20 +122,6 @@ def elements_of(chosen: Chosen, names: Iterable[str]) -> tuple[Any, ...]:
     return tuple(
         RECORDS[name][0](**_values(name, values)) for name in names for values in chosen.get(name) or ()
     )
-
-
-def load_rows(loads: Iterable[PointMass | PointForce], *, weight: bool) -> Iterator[Row]:
-    """Yield a row on the loads, if any. `weight` is True if the weight of the strip acts too."""
-    texts = []
-    for load in loads:
-        at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
-        if isinstance(load, PointMass):
-            texts.append(f"{Grams(load.mass):g} at {at} ({Force(load.newtons)})")
-        else:
-            x, y = load.force
-            texts.append(f"({x:g}, {y:g}) N at {at}")
-    if texts:
-        yield Row("Load", "; ".join([*texts, *(["the weight of the strip"] if weight else [])]))
 
 
 def _values(name: str, values: Any) -> dict[str, Any]:

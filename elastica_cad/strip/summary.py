@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.geometry.plane_points import angle_of, norm
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of, side_of_bar
+from elastica_cad.mechanics.loads import PointMass
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import (
     ROUNDING_FRACTION,
@@ -85,6 +87,7 @@ def strip_rows(
     waits = quick and verdict is None
     rows = [
         size_row(strip),
+        *load_rows(strip.rod),
         *_nearest(strip, near),
         *strain_rows(strip),
         Row(note("Stability"), LATER) if waits else stability_row(strip, verdict or stability(strip.rod)),
@@ -317,6 +320,22 @@ def cut_rows(strip: Strip) -> Iterator[Row]:
         note("Holes"),
         note("{cuts}; measured along the flat strip from its start", cuts=sentences(texts, ", ")),
     )
+
+
+def load_rows(rod: Rod) -> Iterator[Row]:
+    """Yield a row on the masses and forces on a rod, if any, and whether its own weight acts too."""
+    texts: list[Refusal] = []
+    for action in (*rod.hung, *rod.point_forces):
+        load: Any = action.element
+        at = Length(action.s[0])
+        texts.append(
+            note("{mass:g} at {at:.5g} ({force})", mass=Mass(load.mass), at=at, force=Force(load.newtons))
+            if isinstance(load, PointMass)
+            else note("({x:g}, {y:g}) N at {at:.5g}", x=load.force[0], y=load.force[1], at=at)
+        )
+    if texts:
+        texts += [note("the weight of the strip")] * (rod.gravity is not None)
+        yield Row(note("Load"), sentences(texts, "; "))
 
 
 def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
