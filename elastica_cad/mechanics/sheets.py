@@ -134,12 +134,6 @@ def _finite_number(value: Any, where: str) -> float:
     return number
 
 
-def _toml_value(value: str | float | tuple[float, float]) -> str:
-    if isinstance(value, tuple):
-        return f"[{value[0]!r}, {value[1]!r}]"
-    return toml_string(value) if isinstance(value, str) else repr(float(value))
-
-
 class NominalRatio(float):
     """Poisson's ratio that was not measured; it is used for estimates, but not for widths.
 
@@ -167,17 +161,17 @@ LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable with folders or files of sheets, separated as in PATH."""
 
 # keys whose values are attributes of `Sheet` without conversion
-_WORDS = ("kind", "grain")
+_GIVEN = ("kind", "grain", "least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# for each key of the file: the attribute of `Sheet`, and the word by which the sources of the sheet name it
+# for each key of the file, the word by which the sources of the sheet name it
 _FIGURES = {
-    "thickness_mm": ("thickness", "thickness"),
-    "youngs_modulus_MPa": ("youngs_modulus", "E"),
-    "density_kg_m3": ("density", "density"),
-    "max_strain": ("max_strain", "strain"),
-    "kerf_mm": ("kerf", "kerf"),
-    "shear_modulus_MPa": ("shear_modulus", "G"),
-    "break_strain": ("break_strain", "break"),
+    "thickness_mm": "thickness",
+    "youngs_modulus_MPa": "E",
+    "density_kg_m3": "density",
+    "max_strain": "strain",
+    "kerf_mm": "kerf",
+    "shear_modulus_MPa": "G",
+    "break_strain": "break",
 }
 
 LARGEST_FILE = 10**6
@@ -228,26 +222,21 @@ def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> Refusal:
 
 def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield the name and the fields of each sheet of an entry in the library, one for each thickness."""
-    thicknesses = entry["thickness_mm"]["value"]
+    thicknesses, keys = entry["thickness_mm"]["value"], sheet_keys()
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
-        fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
-        fields |= {
-            key.removesuffix("_mm"): entry[key]
-            for key in ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
-            if key in entry
-        }
+        fields: dict[str, Any] = {keys[key].name: entry[key] for key in _GIVEN if key in entry}
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
         ratio = entry["poisson_ratio"]
         fields["poisson_ratio"] = ratio["value"] if isinstance(ratio, dict) else NominalRatio(ratio)
-        for key, (stem, label) in _FIGURES.items():
+        for key, label in _FIGURES.items():
             if key not in entry:
                 # these are estimated from other properties if they are not published
                 if key not in ("shear_modulus_MPa", "break_strain"):
                     sources.append(f"{label} not published: measure it on a coupon")
                 continue
-            figure = entry[key]
+            figure, stem = entry[key], keys[key].name
             value, lowest = (
                 number[i] if isinstance(number, list) else number
                 for number in (figure["value"], figure.get("lowest"))
@@ -756,7 +745,11 @@ class Sheet:
                 continue
             if field_name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
                 continue
-            lines.append(f"{key} = {_toml_value(value)}")
+            if isinstance(value, str):
+                value = toml_string(value)
+            else:
+                value = [*value] if isinstance(value, tuple) else float(value)
+            lines.append(f"{key} = {value}")
         return "\n".join(lines) + "\n"
 
 

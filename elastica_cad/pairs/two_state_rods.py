@@ -421,15 +421,15 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
     force = [numbers[1:3] / size / least, numbers[3:5] / size / least]
     balance = BalancedStiffness(panels, stiffness, moments[0], moments[0], kinks=kinks)
     profile = stiffness_profile(curve_check, balance, 1 / least)
-    states = [
+    first, second = (
         Rod(
             s=nodes.s, position=at.position, angle=at.angle, curvature=at.curvature, stiffness=K, moment=moment,
             force=np.tile([-b[1], b[0]], (K.size, 1)), profile=profile, natural_curvature=rest, shape=curve,
             residual=float(np.abs(K * (at.curvature - rest) - moment).max() / max(np.abs(moment).max(), 1e-300)),
         )
         for at, moment, b, curve in zip((nodes, other), nodal, force, (check.first, check.second), strict=True)
-    ]  # fmt: skip
-    return TwoStateRod(states[0], states[1], check)
+    )  # fmt: skip
+    return TwoStateRod(first, second, check)
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:

@@ -5,7 +5,6 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from elastica_cad._types import ArrayLike
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import norm, unit_vectors
 from elastica_cad.pairs.flexure import CentreLine, Flexure
@@ -48,8 +47,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
             axes.fill(*np.transpose(loop), color=color, lw=0.6, ec=INK)
 
     def paint_holes(axes: Axes, line: CentreLine) -> None:
-        holes = (Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2))
-        paint(axes, (hole.points(chord) for hole in holes), "white")
+        paint(axes, (hole.points(chord) for hole in part.holes_along(line)), "white")
 
     paint(flat, outlines[:1])
     paint_holes(flat, part.centre)

@@ -24,7 +24,14 @@ from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.source_file import read_below
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import norm, unit_vectors
+from elastica_cad.geometry.plane_points import (
+    angle_of,
+    box_about,
+    homogeneous,
+    norm,
+    project,
+    unit_vectors,
+)
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit, pack_files
 from elastica_cad.kit.pair_kit import MadePair
@@ -41,6 +48,7 @@ from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.model.assembly import single_holders
 from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.pairs.flexure import STATES
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.report_rows import Row, in_order, warning_row
@@ -93,8 +101,6 @@ CATALOGUES: dict[str, Language] = {"de": "de", "zh": "zh-CN"}
 
 DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
 """Files that can be downloaded, in addition to the design."""
-
-STATES = ("first", "second")
 
 FILE_KEYS = ("file", "mesh", "sheets_file", "curve", *STATES)
 """Keys of a design whose value may be the name of a file."""
@@ -365,8 +371,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
             id(action.element): strip.bending_stiffness * action.force[0] for action in strip.rod.between
         }
     elements: list[Record] = []
-    records_of_key: Mapping[str, Sequence[Any]] = {"between": spec.between, "loads": loads}
-    for key, records in records_of_key.items():
+    for key, records in (("between", spec.between), ("loads", loads)):
         for k, record in enumerate(records):
             mass = record.mass if isinstance(record, PointMass) else None
             element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
@@ -382,7 +387,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    low, high = rod.position.min(axis=0), rod.position.max(axis=0)
+    low, high = box_about(rod.position)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
 
@@ -596,17 +601,14 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
             "The slider cannot bend a strip with rails, pins, ties or point forces. Remove these elements "
             "first."
         )
-    start, end, angles = strip.rod.position[0], strip.rod.position[-1], strip.rod.angle[[0, -1]]
-    chord = end - start
-    if not np.hypot(*chord) > 0:
+    start, end, chord = strip.rod.position[0], strip.rod.position[-1], strip.rod.chord
+    if not chord.any():
         raise InputError("A closed strip has no ends to move. Open the strip to bend it here.")
-    out = np.arctan2(chord[1], chord[0])
+    out = angle_of(chord)
     flat = start + NEARLY_FLAT * strip.rod.length * unit_vectors(out)
-    clamped_ends = [support.angle for support in strip.rod.supports.ends]
     # direction of the chord, with the full turns of the end angles
-    level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
-
-    level_ends = [level if clamped else None for clamped in clamped_ends]
+    level = out + 2 * np.pi * np.round((strip.rod.angle[[0, -1]].mean() - out) / (2 * np.pi))
+    level_ends = [level if support.angle else None for support in strip.rod.supports.ends]
     pulled = bend_strip(strip, [{"end": flat, "angles": level_ends}], steps=BENT_STEPS)
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     frames = [_frame(strip, pulled, k, 1 - part) for k, part in enumerate(parts)][::-1]
@@ -633,7 +635,8 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
         "moment": float(f"{travel.support_moment[k]:.3g}"),
         "stable": verdict.stable,
         "rows": _rows(rows),
-        **{key: shape[key] for key in ("position", "shares")},
+        "position": shape["position"],
+        "shares": shape["shares"],
     }
 
 
@@ -705,9 +708,9 @@ def _placed_strips(placed: Iterable[Placed]) -> Record:
 
 def _matrix(frame: Frame) -> list[float]:
     """Return a frame's matrix (4, 4) by columns, as graphics libraries expect."""
-    rows = np.eye(4)
-    rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
-    return [round(float(x), 6) for x in rows.T.ravel()]
+    columns = np.eye(4)
+    columns[:3, :3], columns[3, :3] = frame.axes, frame.origin
+    return [round(x, 6) for x in columns.ravel().tolist()]
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
@@ -782,11 +785,10 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
         raise InputError("The position of a control point is {point!r}. Use two numbers in mm.", point=point)
     t = np.linspace(*curve.domain, 2001)[1:-1]
     at = t[np.argmin(norm(curve.evaluate(t) - place))]
-    weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
-    rows = [*(curve.control_points * weights[:, None]).T, weights]
-    knots, new, degree = insert(at, (curve.knots, rows, curve.degree))
-    x, y, w = (row[: len(knots) - degree - 1] for row in new)
-    return PlaneCurve(knots, np.column_stack([x, y]) / w[:, None], degree, w if curve.is_rational else None)
+    rows = homogeneous(curve.control_points, curve.weights)
+    knots, new, degree = insert(at, (curve.knots, [*rows.T], curve.degree))
+    rows = np.transpose(new)[: len(knots) - degree - 1]
+    return PlaneCurve(knots, project(rows), degree, rows[:, -1] if curve.is_rational else None)
 
 
 def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
