@@ -207,21 +207,11 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], Refusal], ...]:
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
-    return tuple(
-        (name, fields, _title(entry, fields))
-        for table, entry in tomllib.loads(text).items()
-        for name, fields in _entry_sheets(table, entry)
-    )
+    return tuple(sheet for entry in tomllib.loads(text).items() for sheet in _entry_sheets(*entry))
 
 
-def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> Refusal:
-    if "name" in entry:
-        return note(entry["title"])
-    return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
-
-
-def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield the name and the fields of each sheet of an entry in the library, one for each thickness."""
+def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], Refusal]]:
+    """Yield name, fields and title of each sheet of an entry in the library, one for each thickness."""
     thicknesses, keys = entry["thickness_mm"]["value"], sheet_keys()
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {keys[key].name: entry[key] for key in _GIVEN if key in entry}
@@ -250,7 +240,12 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
                 sources.append(f"{label}: {figure['source']}")
         if isinstance(ratio, dict):
             sources.append(f"nu: {ratio['source']}")
-        yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}
+        fields["source"] = "; ".join(sources)
+        title, name = entry["title"], f"{table}-{thickness:g}"
+        if "name" in entry:
+            yield entry["name"], fields, note(title)
+        else:
+            yield name, fields, note("{title} {thickness:g} mm", title=title, thickness=thickness)
 
 
 def library_folders() -> tuple[Path, ...]:
@@ -533,15 +528,19 @@ class Sheet:
         if not self.name.strip():
             raise InputError(f"the name of a sheet is {self.name!r}; give a text")
         require_declared(Sheet, vars(self), f"sheet {self.name!r}:")
-        for name in (*UNITS, "poisson_ratio"):
-            value = getattr(self, name)
-            vars(self)[name] = value if isinstance(value, NominalRatio) else float(value)
-        for name in UNITS:
-            self._check_range(name)
-        vars(self).update(
-            stock=self.stock and tuple(self.stock),
-            poisson_known=not isinstance(self.poisson_ratio, NominalRatio),
-        )
+        known = not isinstance(self.poisson_ratio, NominalRatio)
+        vars(self).update(stock=self.stock and tuple(self.stock), poisson_known=known)
+        for name in (*UNITS, "poisson_ratio") if known else UNITS:
+            value = vars(self)[name] = float(getattr(self, name))
+            limits = getattr(self, f"{name}_range", None)
+            if limits is None:
+                continue
+            low, high = vars(self)[f"{name}_range"] = tuple(map(float, limits))
+            if not low <= value <= high:
+                raise InputError(
+                    f"sheet {self.name!r}: {name}_range is {low:g} to {high:g}; write a range that contains "
+                    f"{name} = {value:g}, lowest first"
+                )
         grain: object = self.grain
         if is_number(grain):
             object.__setattr__(self, "grain", self._grain_at(grain))
@@ -567,18 +566,6 @@ class Sheet:
                 "when it is bent. Lay the strip along (0) or across (90) the grain"
             )
         return turned[degrees % 180]
-
-    def _check_range(self, name: str) -> None:
-        """Refuse a range of a property that does not contain the property's value, and store it as a pair."""
-        value, limits = getattr(self, name), getattr(self, f"{name}_range")
-        if limits is None:
-            return
-        low, high = vars(self)[f"{name}_range"] = tuple(map(float, limits))
-        if not low <= value <= high:
-            raise InputError(
-                f"sheet {self.name!r}: {name}_range is {low:g} to {high:g}; write a range that contains "
-                f"{name} = {value:g}, lowest first"
-            )
 
     @classmethod
     def of(cls, given: "Sheet | str") -> "Sheet":
@@ -739,11 +726,11 @@ class Sheet:
     def toml(self) -> str:
         """Return the sheet as an entry of a file that `load_sheets` reads."""
         lines = [f"[sheets.{toml_string(self.name)}]"]
-        for key, field_name in ((key, entry.name) for key, entry in sheet_keys().items()):
-            value = getattr(self, field_name)
-            if value is None or (field_name in ("kind", "source") and not value):
+        for key, entry in sheet_keys().items():
+            value = getattr(self, entry.name)
+            if value is None or (entry.name in ("kind", "source") and not value):
                 continue
-            if field_name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
+            if entry.name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
                 continue
             if isinstance(value, str):
                 value = toml_string(value)

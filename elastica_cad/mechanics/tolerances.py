@@ -92,14 +92,15 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
             changed, natural_curvature=rest,
             law=replace(law, natural_curvature=rest) if isinstance(law, CurlingLaw) else law,
         )  # fmt: skip
-    held = [end.angle for end in rod.supports.ends]
-    angles = tuple(
-        float(angle) + delta if hold else None
-        for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
+    start, end = (
+        float(angle) + delta if support.angle else None
+        for angle, delta, support in zip(
+            rod.angle[[0, -1]], (v.start_angle, v.end_angle), rod.supports.ends, strict=True
+        )
     )
     # divide loads on free ends by the changed stiffness, because their values in newtons do not change
     force, moment = dead_loads(rod, 1 / (v.youngs_modulus * v.thickness**3 * B))
-    return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
+    return bend(changed, angles=(start, end), force=force, moment=moment)
 
 
 def feels_modulus(rod: Rod) -> bool:

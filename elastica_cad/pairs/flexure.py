@@ -47,6 +47,8 @@ from elastica_cad.geometry.plane_points import (
     left_of,
     lengths_along,
     norm,
+    rotated,
+    transform_points,
     unit_vectors,
 )
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
@@ -278,9 +280,10 @@ class Flexure:
             )  # fmt: skip
         if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
             raise InputError(f"state_names is {quoted(self.state_names)}. Pass two texts.")
-        object.__setattr__(self, "label", require_name(self.label, "the label"))
-        states = tuple(require_name(name, "the name of a state") for name in self.state_names)
-        object.__setattr__(self, "state_names", states)
+        vars(self).update(
+            label=require_name(self.label, "the label"),
+            state_names=tuple(require_name(name, "the name of a state") for name in self.state_names),
+        )
         if not self.ignore_limits:
             for fault in self._faults():
                 raise fault
@@ -452,12 +455,11 @@ class Flexure:
         """Rods of both states, starting in the same clamp."""
         first, second = self.pair.states
         turn, matrix = float(first.angle[0] - second.angle[0]), np.eye(3)
-        along = unit_vectors(turn)
-        rotation = np.column_stack([along, left_of(along)])
-        matrix[:2, :2], matrix[:2, 2] = rotation, first.position[0] - rotation @ second.position[0]
+        matrix[:2, :2] = rotated(np.eye(2), turn).T
+        matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
         moved = replace(
-            second, position=second.position @ rotation.T + matrix[:2, 2], angle=second.angle + turn,
-            force=second.force @ rotation.T, shape=second.curve.transformed(matrix),
+            second, position=transform_points(matrix, second.position), angle=second.angle + turn,
+            force=rotated(second.force, turn), shape=second.curve.transformed(matrix),
         )  # fmt: skip
         return first, moved
 
@@ -1001,10 +1003,8 @@ class Flexure:
             report |= {"snap_turn_deg": travel.snap} if travel.unit == "deg" else {}
             report |= {"forces_at_snap_N": list(travel.forces_at_snap)}
         if pair.bistable:
-            at, _ = self.pushed
-            back = self.travel_back
-            report |= {"pushed_at_mm": at}
-            if back is not None:
+            report["pushed_at_mm"] = self.pushed[0]
+            if (back := self.travel_back) is not None:
                 report |= {"largest_force_back_N": back.largest_force, "work_back_N_mm": back.work}
         return report
 

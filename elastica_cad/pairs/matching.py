@@ -224,7 +224,7 @@ class _Drawn:
         u = edges[:-1, None] + half * (1 + NODES)
         at = curve.at((u * curve.length).ravel())
         middle = at.position.mean(axis=0)
-        functions = np.concatenate([np.ones((at.s.size, 1)), (at.position - middle) / curve.length], axis=1)
+        functions = np.column_stack([np.ones(at.s.size), (at.position - middle) / curve.length])
         functions = functions.reshape(*u.shape, 3)
         inside = in_panels(LEFT, functions * half[..., None])
         reached = np.einsum("np,npk->nk", WEIGHTS * half, functions).cumsum(axis=0)

@@ -184,10 +184,10 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
 
 
 def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> Panel:
+    shown = [rod.position, comb_tips(rod), *(end.tip[None] for end in ends)]
     if wish is not None:
         require_curve(wish)
-    shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
-    shown += [end.tip[None] for end in ends]
+        shown.append(wish.sample(200).position)
     return numbered_panel(_widened(np.ptp(_with_room_below(np.concatenate(shown), ends), axis=0)))
 
 

@@ -70,6 +70,7 @@ from elastica_cad.web.saved_design import (
     idle_beside,
     open_design,
     without_idle,
+    without_keys,
     without_models,
 )
 
@@ -202,6 +203,11 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
     return requested_spec(request["design"], request.get("strip", 0))
 
 
+def _strip_table(request: Mapping[str, Any]) -> Record:
+    table: Record = request["design"]["strips"][request.get("strip", 0)]
+    return table
+
+
 def _strip_or_pair(request: Mapping[str, Any]) -> Record:
     """Return the strip, or the part with two states, and the keys that have no effect on it."""
     answered = _pair(request) if "pair" in request["design"] else _bent_strip(request)
@@ -237,7 +243,7 @@ def _bent_strip(request: Mapping[str, Any]) -> Record:
 def _bare_curve(request: Mapping[str, Any]) -> Record:
     """Return the drawn curve of a strip with invalid options. If the curve is invalid too, return {}."""
     with suppress(LookupError, TypeError):
-        return _drawn_table(request["design"]["strips"][request.get("strip", 0)]["curve"])
+        return _drawn_table(_strip_table(request)["curve"])
     return {}
 
 
@@ -288,8 +294,7 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     cannot move, the answer has the positions `from`. If more directions are left, the answer has the next
     `turn`.
     """
-    hold, design = request["hold"], request["design"]
-    strip = design["strips"][request.get("strip", 0)]
+    hold, design, strip = request["hold"], request["design"], _strip_table(request)
     curve, indices = strip["curve"], hold["point"]
 
     def record_with(place: FloatArray) -> Callable[[], Record] | None:
@@ -349,12 +354,12 @@ def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
 
     The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """
-    design, k, before = request["design"], request.get("strip", 0), request.get("length")
-    spec = requested_spec(design, k)
+    design, before = request["design"], request.get("length")
+    spec = _spec(request)
     after = (spec.rod_spec.drawn or spec.rod_spec.curve).length
     if not isinstance(before, int | float) or not before > 0 or before == after:
         return spec, {}
-    strip = design["strips"][k]
+    strip = _strip_table(request)
     tables = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
     scaled = scaled_places(tables, after / before)
     return requested_spec(design | {"strips": [strip | scaled]}), scaled
@@ -500,10 +505,7 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
         if change.field == "nearest_curve":
             yield from _support_of_nearest(request, change)
         removed = REMOVED.get(change.field, ())
-        rest, kept = (
-            {key: value for key, value in table.items() if key not in removed}
-            for table in (design, design["strips"][request.get("strip", 0)])
-        )
+        rest, kept = (without_keys(table, removed) for table in (design, _strip_table(request)))
         try:
             spec = requested_spec(rest | {"strips": [kept]})
         except ElasticaError:
@@ -519,10 +521,8 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
 
 def _support_of_nearest(request: Mapping[str, Any], change: Change) -> Iterator[Record]:
     """Yield the change that draws the nearest curve and keeps the rails, pins, ties and loads, if it works."""
-    design, index = request["design"], request.get("strip", 0)
-    strip = design["strips"][index]
-    without = {key: value for key, value in strip.items() if key not in REMOVED["elements"]}
-    limited = {key: value for key, value in design.items() if key not in REMOVED["elements"]}
+    strip = _strip_table(request)
+    limited, without = (without_keys(table, REMOVED["elements"]) for table in (request["design"], strip))
     spec = requested_spec(limited | {"strips": [without]})
     if suggestion := try_change(spec, change):
         (drawn,) = suggestion.requests
@@ -543,15 +543,13 @@ def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | Non
 
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
     """Return the tables of the strips after a suggested change: several for a split curve."""
-    design = request["design"]
-    strip, change = design["strips"][request.get("strip", 0)], suggestion.change
+    design, strip, change = request["design"], _strip_table(request), suggestion.change
     if suggestion.width is not None:
         strip = strip | {"max_width": suggestion.width.value}
     match change.field:
         case "point" | "size" | "split_corners":
             tables = [strip | {"curve": curve_table(request.curve)} for request in suggestion.requests]
-            unlabelled = [{key: table[key] for key in table if key != "label"} for table in tables[1:]]
-            return [tables[0], *unlabelled]
+            return [tables[0], *(without_keys(table, ("label",)) for table in tables[1:])]
         case "nearest":
             return [strip | {"limits": {"margin": SAFE_MARGIN}}]
         case "lap":
@@ -725,26 +723,23 @@ def _pair(request: Mapping[str, Any]) -> Record:
         curves = [pair.get(key) for key in STATES] if isinstance(pair, Mapping) else []
         return {"states": [_drawn_table(curve) for curve in curves]} | refused(problem)
     pair, limit, places = part.pair, part.sheet.max_strain, []
-    for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
+    for rod, strain in zip(pair.states, part.strain, strict=True):
         k = np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int)
         wide, used = (_rounded(np.full(k.size, value), 3) for value in (part.sheet.thickness, strain / limit))
         places.append({"position": _rounded(rod.position[k], 3), "width": wide, "shares": used})
     rows = pair_rows(part, quick=True, live=bool(request.get("live")))
-    together = Row(
-        note("Hold"),
-        note(
-            "both states fit the same clamp positions"
-            if pair.bistable
-            else "each state needs its own clamp positions"
-        ),
+    together = note(
+        "both states fit the same clamp positions"
+        if pair.bistable
+        else "each state needs its own clamp positions"
     )
-    faults = [Row(note("Warning"), text, severity="warning") for text in part.rest_warnings]
+    faults = [warning_row(text, note("Warning")) for text in part.rest_warnings]
     return {
         "states": places,
         "flat": _flat_loops((part.drawing(), part.holder())),
         "text": str(pair.check),
         "length": round(pair.length, 2),
-        "rows": _rows(in_order([*rows, together, *faults])),
+        "rows": _rows(in_order([*rows, Row(note("Hold"), together), *faults])),
         "idle": [] if pair.bistable else ["push_at"],
     }
 
