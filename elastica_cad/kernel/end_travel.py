@@ -166,7 +166,7 @@ class Travel:
                     f"The end of a travel is {self.end!r}. Use two numbers in mm, in the plane of the curve."
                 )
             object.__setattr__(self, "end", point)
-            apart = float(np.hypot(*(point - self._rod.position[0])))
+            apart = float(norm(point - self._rod.position[0]))
             if apart > self._rod.length:
                 far, long = distinct_digits(apart, self._rod.length, ".4g")
                 raise InputError(
@@ -191,10 +191,9 @@ class Travel:
     @property
     def length(self) -> float:
         """Distance of the translation, mm, or angle of the rotation, degrees."""
-        if self.angle is None:
-            return round(float(np.hypot(*self._way)), 9)
+        size = norm(self._way) if self.angle is None else abs(np.degrees(self._turn))
         # round the range, so that a CAD joint accepts the final angle
-        return round(float(abs(np.degrees(self._turn))), 9)
+        return round(float(size), 9)
 
     @property
     def unit(self) -> str:

@@ -215,12 +215,6 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which the line is tangent to the curve."""
 
-_LINES = {
-    "": ("one line", "The line through its inflections"),
-    "vertical": ("one vertical line", "The vertical line that the supports require"),
-    "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
-}
-
 
 @dataclass(frozen=True)
 class SeparatingLine:
@@ -317,7 +311,7 @@ def _with_line(
     reason = note(
         "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line at "
         "these places, or support the strip between each of these places and the next inflection.",
-        line=note(_LINES[_kind_of(normal)][1]),
+        line=_names_of(normal)[1],
         meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
     )  # fmt: skip
     return refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
@@ -376,7 +370,7 @@ def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed
     return note(
         "The inflections are not on {one_line}: the inflections {places} from the start are {off} away "
         "from the nearest line{small}. Move them onto one line, or support the strip between them.",
-        one_line=note(_LINES[_kind_of(normal)][0]), places=lengths(s for s, _ in check.off_line),
+        one_line=_names_of(normal)[0], places=lengths(s for s, _ in check.off_line),
         off=Listed(Length(abs(d)) for _, d in check.off_line), small=small,
     )  # fmt: skip
 
@@ -438,7 +432,7 @@ def _place_of_extreme_ratio(
     clear = (np.abs(nodes.s - s_zero[:, None]) > 1e-4 * curve.length).all(axis=0)
     clear &= kappa != 0
     _, d1, d2, d3 = curve.derivatives(t_zero, 3)
-    tangent = d1 / np.hypot(d1[:, :1], d1[:, 1:])
+    tangent = unit(d1)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t_zero, 1, left=bool(t_zero[-1] >= curve.domain[1]))
     point, across = line.point, line.b
     bent = np.abs(((nodes.position - point) @ across)[clear] / kappa[clear])
@@ -471,22 +465,23 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
     views = find_view_angles(curve, zero.t)
     if views is None:
         return SeparatingLine(None, np.pi, (zero.s, zero.s))
-    low, high = (float(s) for s in np.sort(curve.arc_length(np.array([views.low_t, views.high_t]))))
+    low, high = np.sort(curve.arc_length(np.array([views.low_t, views.high_t]))).tolist()
     spread = views.high - views.low
     if spread >= np.pi - _TANGENT_RAD:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
-    x, y = views.point
     # the line is perpendicular to the middle of the directions from the inflection to the curve
-    direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
-    line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
-    return SeparatingLine(line, spread, (low, high))
+    x, y = (curvature_sign * np.array([np.sin(middle), -np.cos(middle)])).tolist()
+    return SeparatingLine(InflectionLine(views.point, (x, y)), spread, (low, high))
 
 
-def _kind_of(normal: FloatArray | None) -> str:
+def _names_of(normal: FloatArray | None) -> tuple[str, str]:
+    """Return two names of the line through the inflections, within a sentence and at its start."""
     if normal is None:
-        return ""
-    return "vertical" if normal[0] else "horizontal"
+        return note("one line"), note("The line through its inflections")
+    if normal[0]:
+        return note("one vertical line"), note("The vertical line that the supports require")
+    return note("one horizontal line"), note("The horizontal line that the supports require")
 
 
 MOST_STEPS = 12

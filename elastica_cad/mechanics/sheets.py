@@ -134,12 +134,6 @@ def _finite_number(value: Any, where: str) -> float:
     return number
 
 
-def _toml_value(value: str | float | tuple[float, float]) -> str:
-    if isinstance(value, tuple):
-        return f"[{value[0]!r}, {value[1]!r}]"
-    return toml_string(value) if isinstance(value, str) else repr(float(value))
-
-
 class NominalRatio(float):
     """Poisson's ratio that was not measured; it is used for estimates, but not for widths.
 
@@ -167,17 +161,17 @@ LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable with folders or files of sheets, separated as in PATH."""
 
 # keys whose values are attributes of `Sheet` without conversion
-_WORDS = ("kind", "grain")
+_GIVEN = ("kind", "grain", "least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# for each key of the file: the attribute of `Sheet`, and the word by which the sources of the sheet name it
+# for each key of the file, the word by which the sources of the sheet name it
 _FIGURES = {
-    "thickness_mm": ("thickness", "thickness"),
-    "youngs_modulus_MPa": ("youngs_modulus", "E"),
-    "density_kg_m3": ("density", "density"),
-    "max_strain": ("max_strain", "strain"),
-    "kerf_mm": ("kerf", "kerf"),
-    "shear_modulus_MPa": ("shear_modulus", "G"),
-    "break_strain": ("break_strain", "break"),
+    "thickness_mm": "thickness",
+    "youngs_modulus_MPa": "E",
+    "density_kg_m3": "density",
+    "max_strain": "strain",
+    "kerf_mm": "kerf",
+    "shear_modulus_MPa": "G",
+    "break_strain": "break",
 }
 
 LARGEST_FILE = 10**6
@@ -213,41 +207,26 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], Refusal], ...]:
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
-    return tuple(
-        (name, fields, _title(entry, fields))
-        for table, entry in tomllib.loads(text).items()
-        for name, fields in _entry_sheets(table, entry)
-    )
+    return tuple(sheet for entry in tomllib.loads(text).items() for sheet in _entry_sheets(*entry))
 
 
-def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> Refusal:
-    if "name" in entry:
-        return note(entry["title"])
-    return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
-
-
-def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield the name and the fields of each sheet of an entry in the library, one for each thickness."""
-    thicknesses = entry["thickness_mm"]["value"]
+def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], Refusal]]:
+    """Yield name, fields and title of each sheet of an entry in the library, one for each thickness."""
+    thicknesses, keys = entry["thickness_mm"]["value"], sheet_keys()
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
-        fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
-        fields |= {
-            key.removesuffix("_mm"): entry[key]
-            for key in ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
-            if key in entry
-        }
+        fields: dict[str, Any] = {keys[key].name: entry[key] for key in _GIVEN if key in entry}
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
         ratio = entry["poisson_ratio"]
         fields["poisson_ratio"] = ratio["value"] if isinstance(ratio, dict) else NominalRatio(ratio)
-        for key, (stem, label) in _FIGURES.items():
+        for key, label in _FIGURES.items():
             if key not in entry:
                 # these are estimated from other properties if they are not published
                 if key not in ("shear_modulus_MPa", "break_strain"):
                     sources.append(f"{label} not published: measure it on a coupon")
                 continue
-            figure = entry[key]
+            figure, stem = entry[key], keys[key].name
             value, lowest = (
                 number[i] if isinstance(number, list) else number
                 for number in (figure["value"], figure.get("lowest"))
@@ -261,7 +240,12 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
                 sources.append(f"{label}: {figure['source']}")
         if isinstance(ratio, dict):
             sources.append(f"nu: {ratio['source']}")
-        yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}
+        fields["source"] = "; ".join(sources)
+        title, name = entry["title"], f"{table}-{thickness:g}"
+        if "name" in entry:
+            yield entry["name"], fields, note(title)
+        else:
+            yield name, fields, note("{title} {thickness:g} mm", title=title, thickness=thickness)
 
 
 def library_folders() -> tuple[Path, ...]:
@@ -544,15 +528,19 @@ class Sheet:
         if not self.name.strip():
             raise InputError(f"the name of a sheet is {self.name!r}; give a text")
         require_declared(Sheet, vars(self), f"sheet {self.name!r}:")
-        for name in (*UNITS, "poisson_ratio"):
-            value = getattr(self, name)
-            vars(self)[name] = value if isinstance(value, NominalRatio) else float(value)
-        for name in UNITS:
-            self._check_range(name)
-        vars(self).update(
-            stock=self.stock and tuple(self.stock),
-            poisson_known=not isinstance(self.poisson_ratio, NominalRatio),
-        )
+        known = not isinstance(self.poisson_ratio, NominalRatio)
+        vars(self).update(stock=self.stock and tuple(self.stock), poisson_known=known)
+        for name in (*UNITS, "poisson_ratio") if known else UNITS:
+            value = vars(self)[name] = float(getattr(self, name))
+            limits = getattr(self, f"{name}_range", None)
+            if limits is None:
+                continue
+            low, high = vars(self)[f"{name}_range"] = tuple(map(float, limits))
+            if not low <= value <= high:
+                raise InputError(
+                    f"sheet {self.name!r}: {name}_range is {low:g} to {high:g}; write a range that contains "
+                    f"{name} = {value:g}, lowest first"
+                )
         grain: object = self.grain
         if is_number(grain):
             object.__setattr__(self, "grain", self._grain_at(grain))
@@ -578,18 +566,6 @@ class Sheet:
                 "when it is bent. Lay the strip along (0) or across (90) the grain"
             )
         return turned[degrees % 180]
-
-    def _check_range(self, name: str) -> None:
-        """Refuse a range of a property that does not contain the property's value, and store it as a pair."""
-        value, limits = getattr(self, name), getattr(self, f"{name}_range")
-        if limits is None:
-            return
-        low, high = vars(self)[f"{name}_range"] = tuple(map(float, limits))
-        if not low <= value <= high:
-            raise InputError(
-                f"sheet {self.name!r}: {name}_range is {low:g} to {high:g}; write a range that contains "
-                f"{name} = {value:g}, lowest first"
-            )
 
     @classmethod
     def of(cls, given: "Sheet | str") -> "Sheet":
@@ -750,13 +726,17 @@ class Sheet:
     def toml(self) -> str:
         """Return the sheet as an entry of a file that `load_sheets` reads."""
         lines = [f"[sheets.{toml_string(self.name)}]"]
-        for key, field_name in ((key, entry.name) for key, entry in sheet_keys().items()):
-            value = getattr(self, field_name)
-            if value is None or (field_name in ("kind", "source") and not value):
+        for key, entry in sheet_keys().items():
+            value = getattr(self, entry.name)
+            if value is None or (entry.name in ("kind", "source") and not value):
                 continue
-            if field_name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
+            if entry.name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
                 continue
-            lines.append(f"{key} = {_toml_value(value)}")
+            if isinstance(value, str):
+                value = toml_string(value)
+            else:
+                value = [*value] if isinstance(value, tuple) else float(value)
+            lines.append(f"{key} = {value}")
         return "\n".join(lines) + "\n"
 
 

@@ -92,14 +92,15 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
             changed, natural_curvature=rest,
             law=replace(law, natural_curvature=rest) if isinstance(law, CurlingLaw) else law,
         )  # fmt: skip
-    held = [end.angle for end in rod.supports.ends]
-    angles = tuple(
-        float(angle) + delta if hold else None
-        for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
+    start, end = (
+        float(angle) + delta if support.angle else None
+        for angle, delta, support in zip(
+            rod.angle[[0, -1]], (v.start_angle, v.end_angle), rod.supports.ends, strict=True
+        )
     )
     # divide loads on free ends by the changed stiffness, because their values in newtons do not change
     force, moment = dead_loads(rod, 1 / (v.youngs_modulus * v.thickness**3 * B))
-    return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
+    return bend(changed, angles=(start, end), force=force, moment=moment)
 
 
 def feels_modulus(rod: Rod) -> bool:
@@ -138,19 +139,17 @@ def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
 
 def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
     """Return the rod as it was cut, and the factor by which its least stiffness changed."""
-    K, B = 1 + (rod.stiffness - 1) * v.stiffness_range, 1.0
-    least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
+    K = 1 + (rod.stiffness - 1) * v.stiffness_range
+    loss = v.width_loss and v.width_loss / least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
     wave = (1 + v.thickness_wave * np.cos(2 * np.pi * rod.s / rod.length + v.wave_phase)) ** 3
     if plate is not None:
         return _plate_as_cut(rod, *plate, K * wave / rod.stiffness, v)
-    if v.width_loss != 0:
-        loss = v.width_loss / least
-        K, B = (K - loss) / (1 - loss), 1 - loss
-    if v.thickness_wave:
-        low = float((K * wave).min())
-        K, B = K * wave / low, B * low
-    return _with_weight(_stiffened(rod, K), v, B), B
+    K = (K - loss) / (1 - loss) * wave
+    # the wave may also raise the least stiffness
+    low = float(K.min()) if v.thickness_wave else 1.0
+    B = (1 - loss) * low
+    return _with_weight(_stiffened(rod, K / low), v, B), B
 
 
 def _plate_as_cut(
@@ -266,9 +265,7 @@ class ToleranceRanges:
         low_kerf, high_kerf = sheet.range_of("kerf")
         return cls(
             stiffness_range=stiffness_range,
-            youngs_modulus=factors("youngs_modulus"),
-            density=factors("density"),
-            thickness=factors("thickness"),
+            **{name: factors(name) for name in ("youngs_modulus", "density", "thickness")},
             angle=angle,
             yield_curvature=(2 * low_strain / sheet.thickness, 2 * high_strain / sheet.thickness),
             width_loss=(low_kerf - sheet.kerf, high_kerf - sheet.kerf),
@@ -456,10 +453,11 @@ def _corner_imperfections(ranges: ToleranceRanges, cause: str) -> list[Imperfect
 
 
 def _merged(parts: Sequence[Imperfection]) -> Imperfection:
-    merged: dict[str, float] = {}
-    for part, fields in zip(parts, _CAUSES.values(), strict=True):
-        merged.update({field: getattr(part, field) for field in fields})
-    return Imperfection(**merged)
+    return Imperfection(**{
+        field: getattr(part, field)
+        for part, fields in zip(parts, _CAUSES.values(), strict=True)
+        for field in fields
+    })  # fmt: skip
 
 
 def _outcomes_of(

@@ -47,6 +47,8 @@ from elastica_cad.geometry.plane_points import (
     left_of,
     lengths_along,
     norm,
+    rotated,
+    transform_points,
     unit_vectors,
 )
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
@@ -278,9 +280,10 @@ class Flexure:
             )  # fmt: skip
         if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
             raise InputError(f"state_names is {quoted(self.state_names)}. Pass two texts.")
-        object.__setattr__(self, "label", require_name(self.label, "the label"))
-        states = tuple(require_name(name, "the name of a state") for name in self.state_names)
-        object.__setattr__(self, "state_names", states)
+        vars(self).update(
+            label=require_name(self.label, "the label"),
+            state_names=tuple(require_name(name, "the name of a state") for name in self.state_names),
+        )
         if not self.ignore_limits:
             for fault in self._faults():
                 raise fault
@@ -452,12 +455,11 @@ class Flexure:
         """Rods of both states, starting in the same clamp."""
         first, second = self.pair.states
         turn, matrix = float(first.angle[0] - second.angle[0]), np.eye(3)
-        along = unit_vectors(turn)
-        rotation = np.column_stack([along, left_of(along)])
-        matrix[:2, :2], matrix[:2, 2] = rotation, first.position[0] - rotation @ second.position[0]
+        matrix[:2, :2] = rotated(np.eye(2), turn).T
+        matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
         moved = replace(
-            second, position=second.position @ rotation.T + matrix[:2, 2], angle=second.angle + turn,
-            force=second.force @ rotation.T, shape=second.curve.transformed(matrix),
+            second, position=transform_points(matrix, second.position), angle=second.angle + turn,
+            force=rotated(second.force, turn), shape=second.curve.transformed(matrix),
         )  # fmt: skip
         return first, moved
 
@@ -510,40 +512,43 @@ class Flexure:
         # the width beyond the part is for the fillets and for straight edges beside the fillets
         return max(self.pad.width, thickest + 5 * self.fillet)
 
-    def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the corners of the start and end pads of the part bent to a centre line, anticlockwise."""
-        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
-        corners = []
-        for position, along in self._roots(line):
-            half, outer = self.pad_width / 2 * left_of(along), position + self.pad.length * along
-            corners.append([position - half, outer - half, outer + half, position + half])
-        return corners[0], corners[1]
+    def pads_along(self, line: "CentreLine") -> FloatArray:
+        """Return the corners (pad, corner, coordinate) of both pads of the part bent to a centre line.
+
+        The start pad is first, and the corners of each pad are anticlockwise.
+        """
+        position, along = self._roots(line)
+        half, outer = self.pad_width / 2 * left_of(along), position + self.pad.length * along
+        return np.stack([position - half, outer - half, outer + half, position + half], axis=1)
 
     @property
     def _pad_edges(self) -> tuple[float, float]:
         """Arc lengths of the inner edges of the start pad and the end pad, mm."""
         return -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
 
-    def _roots(self, line: "CentreLine") -> Iterable[tuple[FloatArray, FloatArray]]:
-        """Return the middle of the inner edge, and the outward unit vector, of the start pad and the end pad."""
+    def _roots(self, line: "CentreLine") -> tuple[FloatArray, FloatArray]:
+        """Return the middles (2, 2) of the inner edges of both pads, mm, and their outward unit vectors (2, 2)."""
+        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         position, angle = line.at(np.array(self._pad_edges))
-        return zip(position, unit_vectors(angle) * ((-1.0,), (1.0,)), strict=True)
+        return position, unit_vectors(angle) * ((-1.0,), (1.0,))
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
         """Return the centres of the holes as an array (pad, hole, coordinate).
 
         The start pad is first, and in each pad, the hole nearest to the strip is first.
         """
-        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
-        insets = self.pad.inset, self.pad.length - self.pad.inset
-        return np.array([[position + d * along for d in insets] for position, along in self._roots(line)])
+        position, along = self._roots(line)
+        insets = np.array([[self.pad.inset], [self.pad.length - self.pad.inset]])
+        return position[:, None] + insets * along[:, None]
+
+    def holes_along(self, line: "CentreLine") -> tuple[Path, ...]:
+        """Return the holes of the part bent to a centre line, in the order of `hole_places`."""
+        return tuple(Path.circle(place, self.pad.hole / 2) for place in self.hole_places(line).reshape(-1, 2))
 
     @cached_property
     def holes(self) -> tuple[Path, ...]:
         """Holes of the unloaded part."""
-        return tuple(
-            Path.circle(place, self.pad.hole / 2) for place in self.hole_places(self.centre).reshape(-1, 2)
-        )
+        return self.holes_along(self.centre)
 
     def drawing(self) -> Drawing:
         """Return the cutting drawing of the unloaded part."""
@@ -571,8 +576,12 @@ class Flexure:
         """
         places = [self.hole_places(line) for line in self.states]
         settings = [] if self.pair.bistable else [group[1] for group in places]
-        distinct = np.array(_distinct(np.concatenate([*places[0], *settings[1:]])))
-        apart = min(float(norm(a - b)) for i, a in enumerate(distinct) for b in distinct[:i])
+        distinct = np.concatenate([*places[0], *settings[1:]])
+        # a hole may serve both states
+        same = np.tril(norm(distinct[:, None] - distinct) <= 0.01, -1)
+        distinct = distinct[~same.any(axis=1)]
+        gaps = norm(distinct[:, None] - distinct)
+        apart = float(gaps[gaps > 0].min())
         least, spacing = self.pad.hole + self.sheet.thickness / 2, self.pad.length - 2 * self.pad.inset
         if spacing < least:
             raise FaultError(
@@ -627,9 +636,9 @@ class Flexure:
             raise InputError(f'The state is {state!r}. Use "first", "second", or None for the unloaded part.')
         line = self.centre if state is None else CentreLine.of(self.pair.states[STATES.index(state)])
         middle = Frame((0.0, 0.0, self.sheet.thickness / 2))
-        joints, holes, places = {}, [], self.hole_places(line)
-        for name, (position, outward), sign, near in zip(
-            ENDS, self._roots(line), (-1, 1), places, strict=True
+        joints, holes = {}, []
+        for name, position, outward, sign, near in zip(
+            ENDS, *self._roots(line), (-1, 1), self.hole_places(line), strict=True
         ):
             place = Frame(middle.point(position), (*outward, 0.0), (*left_of(outward), 0.0))
             joints[str(name)] = place
@@ -639,7 +648,7 @@ class Flexure:
         joints |= {f"hole{number}": hole for number, hole in enumerate(holes, start=1)}
         return FlatSolid(
             in_short_pieces(self._rounded_outline(line)),
-            tuple(Path.circle(place, self.pad.hole / 2) for place in places.reshape(-1, 2)),
+            self.holes_along(line),
             self.sheet.thickness,
             joints=joints,
         )
@@ -994,10 +1003,8 @@ class Flexure:
             report |= {"snap_turn_deg": travel.snap} if travel.unit == "deg" else {}
             report |= {"forces_at_snap_N": list(travel.forces_at_snap)}
         if pair.bistable:
-            at, _ = self.pushed
-            back = self.travel_back
-            report |= {"pushed_at_mm": at}
-            if back is not None:
+            report["pushed_at_mm"] = self.pushed[0]
+            if (back := self.travel_back) is not None:
                 report |= {"largest_force_back_N": back.largest_force, "work_back_N_mm": back.work}
         return report
 
@@ -1098,11 +1105,3 @@ def _free_place(
     for low, high in boxes:
         clear &= ((centres + half < low) | (centres - half > high)).any(axis=1)
     return np.asarray(centres[clear][0])
-
-
-def _distinct(places: FloatArray) -> list[FloatArray]:
-    distinct: list[FloatArray] = []
-    for place in places:
-        if all(norm(place - other) > 0.01 for other in distinct):
-            distinct.append(place)
-    return distinct

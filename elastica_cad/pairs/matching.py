@@ -121,19 +121,16 @@ def matched_pair(
 
 def _with_equal_lengths(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve, bool]:
     """Return the curves changed between their ends, and True if their clamps are made equal."""
-    curves = _Drawn.of(first), _Drawn.of(second)
-    alike = _are_alike(*curves)
+    drawn, other = _Drawn.of(first), _Drawn.of(second)
+    alike = _are_alike(drawn, other)
     if alike:
-        chord = (curves[0].chord + curves[1].chord) / 2
-        angles = (curves[0].clamps[2] + curves[1].clamps[2]) / 2
-        starts = [drawn_curve.clamps[0] for drawn_curve in curves]
-        curves = (
-            replace(curves[0], clamps=(starts[0], starts[0] + chord, angles)),
-            replace(curves[1], clamps=(starts[1], starts[1] + chord, angles)),
+        chord, angles = (drawn.chord + other.chord) / 2, (drawn.clamps[2] + other.clamps[2]) / 2
+        drawn, other = (
+            replace(curve, clamps=(curve.clamps[0], curve.clamps[0] + chord, angles))
+            for curve in (drawn, other)
         )
-    length = _least_change(curves)
-    changed, other = (drawn_curve.of_length(length) for drawn_curve in curves)
-    return changed, other, alike
+    length = _least_change((drawn, other))
+    return drawn.of_length(length), other.of_length(length), alike
 
 
 def scaled_to_length(curve: PlaneCurve, length: float) -> PlaneCurve:
@@ -227,7 +224,7 @@ class _Drawn:
         u = edges[:-1, None] + half * (1 + NODES)
         at = curve.at((u * curve.length).ravel())
         middle = at.position.mean(axis=0)
-        functions = np.concatenate([np.ones((at.s.size, 1)), (at.position - middle) / curve.length], axis=1)
+        functions = np.column_stack([np.ones(at.s.size), (at.position - middle) / curve.length])
         functions = functions.reshape(*u.shape, 3)
         inside = in_panels(LEFT, functions * half[..., None])
         reached = np.einsum("np,npk->nk", WEIGHTS * half, functions).cumsum(axis=0)

@@ -20,7 +20,7 @@ from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, FieldName, InputError, Length, note
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, RIGHT, PanelFunction, in_panels
 from elastica_cad.mechanics.loads import CurveOfRest, ExcessCurvature
 from elastica_cad.mechanics.moment_conditions import (
@@ -320,7 +320,7 @@ class PairedPanels:
         stretch = panels.stretch[..., None]
         s = panels.s.clip(0.0, second.length)
         tangent = second.evaluate(second.parameter(s), 1)
-        along = tangent / np.hypot(tangent[..., :1], tangent[..., 1:]) * stretch
+        along = unit(tangent) * stretch
         edge = second.evaluate(second.parameter(panels.edge_s.clip(0.0, second.length)))
         from_left = (panels.from_left, in_panels(LEFT, along))
         from_right = (panels.from_right, -in_panels(RIGHT, along))

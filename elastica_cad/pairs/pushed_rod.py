@@ -62,8 +62,6 @@ class PushPath:
         Changes of curvature at the nodes, 1/mm.
     stretch : (k, n) array
         Axial strains at the nodes.
-    s : (n,) array
-        Arc lengths of the nodes, mm.
     way : FollowedPath
         Equilibria along the whole travel.
     """
@@ -74,16 +72,15 @@ class PushPath:
     position: FloatArray
     bend: FloatArray
     stretch: FloatArray
-    s: FloatArray
     way: FollowedPath
 
     @classmethod
-    def listed(cls, way: FollowedPath, travel: FloatArray, length: float, s: FloatArray) -> "PushPath":
-        """Return the shapes and forces at the displacements `travel` (k,), mm, on a path of the given length."""
-        states = [way.at(u / length).state for u in travel]
+    def listed(cls, way: FollowedPath, travel: FloatArray) -> "PushPath":
+        """Return the shapes and forces at the displacements `travel` (k,), mm, up to the end of the path."""
+        states = [way.at(u / travel[-1]).state for u in travel]
         position, bend, stretch = map(np.array, zip(*map(_nodal, states), strict=True))
         force, energy = np.array([(state.reactions[-1], state.energy) for state in states]).T
-        return cls(travel, force, energy, position, bend, stretch, s, way)
+        return cls(travel, force, energy, position, bend, stretch, way)
 
     @property
     def released(self) -> FloatArray:
@@ -93,8 +90,7 @@ class PushPath:
 
     def finer(self, travel: FloatArray) -> "PushPath":
         """Return the path with more shapes, at the displacements `travel`, mm, of the same push."""
-        length = float(self.travel[-1])
-        return self.listed(self.way, np.union1d(self.travel, travel.clip(0.0, length)), length, self.s)
+        return self.listed(self.way, np.union1d(self.travel, travel.clip(0.0, self.travel[-1])))
 
     @property
     def largest_force(self) -> float:
@@ -175,9 +171,7 @@ def push_path(
     first, last = (Mount(tuple((place + u * away).tolist())) for u in (0.0, steps[-1]))
     segment = Segment(free.system, free.system, (replace(guide, mount=last),), (first,))
     begin = segment.system(0.0, (guide,), (True,)).state(free.angles, reactions)
-    return PushPath.listed(
-        followed(segment, Visit.of(0.0, begin, (guide,), (True,))), steps, float(steps[-1]), rod.s
-    )
+    return PushPath.listed(followed(segment, Visit.of(0.0, begin, (guide,), (True,))), steps)
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:

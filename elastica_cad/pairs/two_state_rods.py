@@ -4,6 +4,7 @@ The rod with the least stiffness ratio and bend, or with the largest least thick
 """
 
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Annotated, Literal, NoReturn, TypeAlias
 
 import numpy as np
@@ -288,35 +289,30 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
     Each function or bound is a pair (rows, offset) with the value rows @ z + offset. The values of bounds
     must be at least 0.
     """
+    step = PanelFunction.through(functions[0][0]).dense
+    program, none = MinimaxProgram(step), step[:0]
+    demand, hold = partial(program.demand, none, none[:, 0]), program.hold
     conditions = [
-        (PanelFunction.through(rows), PanelFunction.through(offset), k >= len(functions))
-        for k, (rows, offset) in enumerate([*functions, *bounds])
+        (PanelFunction.through(rows), PanelFunction.through(offset), require)
+        for require, pairs in ((demand, functions), (hold, bounds))
+        for rows, offset in pairs
     ]
-    program = MinimaxProgram(conditions[0][0].dense)
-    none = np.zeros((0, functions[0][0].shape[2]))
-
-    def require(rows: FloatArray, offset: FloatArray, *, is_bound: bool) -> None:
-        if is_bound:
-            program.hold(rows, offset)
-        else:
-            program.demand(none, np.zeros(0), rows, offset)
-
-    for rows, offset, is_bound in conditions:
-        require(rows.dense, offset.dense, is_bound=is_bound)
+    for rows, offset, require in conditions:
+        require(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
         if answer is None:  # only z = 0 satisfies the bounds, except for rounding errors
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
-        for rows, offset, is_bound in conditions:
+        for rows, offset, require in conditions:
             place = PanelFunction(rows.coefficients @ z + offset.coefficients).extreme_places
             more, beside = rows.at(*place), offset.at(*place)
             values = more @ z + beside
-            wrong = values < -BOUNDED * most if is_bound else values > most * (1 + BOUNDED)
+            wrong = values < -BOUNDED * most if require is hold else values > most * (1 + BOUNDED)
             if wrong.any():
                 settled = False
-                require(more[wrong], beside[wrong], is_bound=is_bound)
+                require(more[wrong], beside[wrong])
         if settled:
             return z
     raise unsettled(most)
@@ -421,15 +417,15 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
     force = [numbers[1:3] / size / least, numbers[3:5] / size / least]
     balance = BalancedStiffness(panels, stiffness, moments[0], moments[0], kinks=kinks)
     profile = stiffness_profile(curve_check, balance, 1 / least)
-    states = [
+    first, second = (
         Rod(
             s=nodes.s, position=at.position, angle=at.angle, curvature=at.curvature, stiffness=K, moment=moment,
             force=np.tile([-b[1], b[0]], (K.size, 1)), profile=profile, natural_curvature=rest, shape=curve,
             residual=float(np.abs(K * (at.curvature - rest) - moment).max() / max(np.abs(moment).max(), 1e-300)),
         )
         for at, moment, b, curve in zip((nodes, other), nodal, force, (check.first, check.second), strict=True)
-    ]  # fmt: skip
-    return TwoStateRod(states[0], states[1], check)
+    )  # fmt: skip
+    return TwoStateRod(first, second, check)
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:
@@ -471,9 +467,8 @@ def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> N
         )
         if value is not None
     ]
-    reason = " ".join(
-        ["No strip", *(["with", ", ".join(wanted)] if wanted else []), "can rest in both curves."]
-    )
+    limited = f" with {', '.join(wanted)}" if wanted else ""
+    reason = f"No strip{limited} can rest in both curves."
     if pair is not None:
         natural = float(np.abs(pair.natural_curvature).max())
         reason += (

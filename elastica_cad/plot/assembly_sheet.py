@@ -15,7 +15,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted, is_one_of
 from elastica_cad.errors import Force, InputError, Length, Refusal, Wording, note, number_text, sentences
-from elastica_cad.geometry.plane_points import angle_of, box_about, norm
+from elastica_cad.geometry.plane_points import angle_of, box_about, boxes_meet, norm
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
 from elastica_cad.model.assembly import (
@@ -79,26 +79,6 @@ BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
 
 
-LAYERS = "Glue the layers of {strips} onto each other, flat. Let the glue dry before you bend the strips."
-LAPS = (
-    "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints, between the marks. "
-    "Let the glue dry before you bend the strips."
-)
-LAPS_WITHOUT_MARKS = (
-    "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints. Let the glue dry "
-    "before you bend the strips."
-)
-SEATS = "Glue or bolt each tab to its place on {rings}."
-LAPS_OF_LAYERS = (
-    "The layers of {strips} are made of pieces. Put the pieces end to end, flat, and glue their plates (lap) over "
-    "the joints, on the outer face of each layer."
-)
-NO_CHINESE = (
-    "This sheet is in English because no font with Chinese characters was found. Install a font such as "
-    "Noto Sans CJK SC."
-)
-
-
 class Table(NamedTuple):
     """Heading, column heads and rows of a table. A sentence is a row with a single cell."""
 
@@ -157,7 +137,11 @@ def save_assembly_sheet(
         raise InputError("The language is {given!r}. Use en, de or zh-CN.", given=language)
     steps, font, hints = list_assembly_steps(model, holders), None, list[str]()
     if language == "zh-CN" and (font := chinese_font()) is None:
-        language, hints = "en", [NO_CHINESE]
+        language = "en"
+        hints.append(
+            "This sheet is in English because no font with Chinese characters was found. Install a font such as "
+            "Noto Sans CJK SC."
+        )
     words = Translated(language)
     pages = _pages(model, [*model.plates, *holders], steps, cut_list, words, hints)
     title = words.sentence(note("{name}: assembly", name=model.name))
@@ -358,12 +342,23 @@ def _flat_gluing(model: Model) -> Iterator[str]:
     layered = [part for part in model.parts if len(part.strip.layers) > 1]
     joined = [part for part in model.parts if part.strip.plates is not None]
     for text, parts in (
-        (LAYERS, layered),
         (
-            LAPS_WITHOUT_MARKS if is_unmarked(model) else LAPS,
+            "Glue the layers of {strips} onto each other, flat. Let the glue dry before you bend the strips.",
+            layered,
+        ),
+        (
+            "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints. Let the "
+            "glue dry before you bend the strips."
+            if is_unmarked(model)
+            else "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints, "
+            "between the marks. Let the glue dry before you bend the strips.",
             [part for part in joined if part not in layered],
         ),
-        (LAPS_OF_LAYERS, [part for part in joined if part in layered]),
+        (
+            "The layers of {strips} are made of pieces. Put the pieces end to end, flat, and glue their plates "
+            "(lap) over the joints, on the outer face of each layer.",
+            [part for part in joined if part in layered],
+        ),
     ):
         if parts:
             yield note(text, strips=_joined([part.name for part in parts]))
@@ -381,8 +376,12 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
         )
     seats = [plate.name for plate in plates if isinstance(plate, Ring) and plate.seats]
     if seats:
-        outline = "Glue or bolt each tab to its engraved outline on {rings}."
-        yield note(SEATS if is_unmarked(model) else outline, rings=_joined(seats))
+        yield note(
+            "Glue or bolt each tab to its place on {rings}."
+            if is_unmarked(model)
+            else "Glue or bolt each tab to its engraved outline on {rings}.",
+            rings=_joined(seats),
+        )
     if any(plate.glued for plate in plates):
         yield note(
             "Glue each foot into the corner between its plate and the tab in its name, such as tab A:1 for "
@@ -520,7 +519,7 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
     """
     used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
     # a wide character takes the place of two letters
-    rows = [[_padded(row[k]) for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
+    rows = [[_padded(row[k]) for k in used] for row in (table.head, *table.rows) if row]
     widths = [max(map(len, column)) + GAP_LETTERS for column in zip(*rows, strict=True)]
     while sum(widths) > most:
         widths[np.argmax(widths)] -= 1
@@ -722,8 +721,11 @@ class View:
                 # a label is 3 points away from its position
                 center = at + np.multiply(side, half + 3.0)
                 box = np.array([center - half, center + half])
-                separate = (box[0] > occupied[:, 1]) | (box[1] < occupied[:, 0])
-                if separate.any(axis=1).all() and (box[0] >= inside[0]).all() and (box[1] <= inside[1]).all():
+                if (
+                    not boxes_meet(box, occupied).any()
+                    and (box[0] >= inside[0]).all()
+                    and (box[1] <= inside[1]).all()
+                ):
                     occupied = np.concatenate([occupied, box[None]])
                     frame = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": LEAD, "lw": 0.4}
                     axes.text(*center, label.text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",

@@ -5,7 +5,6 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from elastica_cad._types import ArrayLike
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import norm, unit_vectors
 from elastica_cad.pairs.flexure import CentreLine, Flexure
@@ -32,10 +31,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     # largest distance between splines and drawn polylines
     chord = 1e-4 * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]
-    outlines = [
-        part.outline.points(chord),
-        np.concatenate([part.outline_along(edge).points(chord) for edge in lines]),
-    ]
+    shapes = [part.outline_along(line).points(chord) for line in lines]
+    outlines = [part.outline.points(chord), np.concatenate(shapes)]
     tall = [
         float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in outlines
     ]
@@ -48,8 +45,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
             axes.fill(*np.transpose(loop), color=color, lw=0.6, ec=INK)
 
     def paint_holes(axes: Axes, line: CentreLine) -> None:
-        holes = (Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2))
-        paint(axes, (hole.points(chord) for hole in holes), "white")
+        paint(axes, (hole.points(chord) for hole in part.holes_along(line)), "white")
 
     paint(flat, outlines[:1])
     paint_holes(flat, part.centre)
@@ -58,8 +54,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     travel = part.travel
     for line in travel.position[:: max(1, len(travel.position) // 6)]:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
-    for line, colour, name in zip(lines, (FIRST, SECOND), part.state_labels, strict=True):
-        bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
+    for line, shape, colour, name in zip(lines, shapes, (FIRST, SECOND), part.state_labels, strict=True):
+        bent.fill(*shape.T, color=colour, alpha=0.75, lw=0, label=name)
         paint(bent, part.pads_along(line))
         paint_holes(bent, line)
     for n, curve in enumerate(drawn_as):

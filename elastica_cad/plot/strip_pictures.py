@@ -9,7 +9,15 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import Mass, number_text
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm, unit, unit_vectors
+from elastica_cad.geometry.plane_points import (
+    box_about,
+    clipped,
+    left_of,
+    norm,
+    points_at,
+    unit,
+    unit_vectors,
+)
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
@@ -105,9 +113,8 @@ def drawing(drawing: Drawing) -> Figure:
     low, high = drawing.bounds
     size = np.maximum(high - low, 1e-9)
     figure, (axes,) = new_page([numbered_panel(size, 1.6, 11.0)])
-    lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
-        strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
+        strokes = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes if item.layer == layer]
         # do not snap to pixels, because snapping removes dots of letters
         axes.add_collection(
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
@@ -177,10 +184,10 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
 
 
 def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> Panel:
+    shown = [rod.position, comb_tips(rod), *(end.tip[None] for end in ends)]
     if wish is not None:
         require_curve(wish)
-    shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
-    shown += [end.tip[None] for end in ends]
+        shown.append(wish.sample(200).position)
     return numbered_panel(_widened(np.ptp(_with_room_below(np.concatenate(shown), ends), axis=0)))
 
 
@@ -344,7 +351,7 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
     slack = slack_elements(rod.between, rod.force)
     for action in rod.between:
         noun = NOUNS[type(action.element)]
-        at = np.column_stack([np.interp(action.s, rod.s, axis) for axis in rod.position.T])
+        at = points_at(action.s, rod.s, rod.position)
         beside = (0.0, 9.0) if len(at) > 1 else tuple(-14 * action.force[0] / (action.size or 1.0))
         color = HOLD
         if action in slack:
@@ -362,12 +369,12 @@ def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
     `size` is the size of the drawing, mm.
     """
     places = []
-    loads = [(float(load.s[0]), load.force[0], NOUNS[PointForce]) for load in rod.point_forces]
+    loads = [(load.s, load.force[0], NOUNS[PointForce]) for load in rod.point_forces]
     if rod.gravity is not None and rod.weight is not None:
         down = np.array(rod.gravity.direction)
-        loads += [(mass.s, down, f"{mass.mass:g} g") for mass in rod.weight.masses]
+        loads += [(np.array([mass.s]), down, f"{mass.mass:g} g") for mass in rod.weight.masses]
     for s, force, text in loads:
-        head = np.array([np.interp(s, rod.s, axis) for axis in rod.position.T])
+        (head,) = points_at(s, rod.s, rod.position)
         way = 0.08 * size * unit(force)
         draw_arrow(axes, head, head - way, LOAD, 1.6)
         places.append(head - 1.25 * way)
@@ -498,5 +505,5 @@ def travel(moved: Travel) -> Figure:
 
 def blend(count: int) -> list[tuple[float, float, float]]:
     """Return `count` colours, evenly spaced from `FIRST` to `LAST`."""
-    a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (FIRST, LAST))
+    a, b = (np.array([*bytes.fromhex(color[1:])]) / 255 for color in (FIRST, LAST))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

@@ -11,6 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_points import box_about, boxes_meet
 from elastica_cad.plot.canvas import INK, empty_figure, show_box, write_pages
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
 from elastica_cad.strip.drawing import Drawing
@@ -183,7 +184,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, t
     window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
     for item in drawing.strokes:
         points = item.path.closed_points(CHORD_MM)
-        if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
+        if not boxes_meet(box_about(points), np.array([low, high])):
             continue  # skip lines on other pages, which would take as long to draw
         style = {"color": LAYER_COLORS[item.layer], "linewidth": 0.6, "solid_capstyle": "butt"}
         (line,) = axes.plot(*points.T, **style)

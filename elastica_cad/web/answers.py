@@ -24,7 +24,14 @@ from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.source_file import read_below
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import norm, unit_vectors
+from elastica_cad.geometry.plane_points import (
+    angle_of,
+    box_about,
+    homogeneous,
+    norm,
+    project,
+    unit_vectors,
+)
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit, pack_files
 from elastica_cad.kit.pair_kit import MadePair
@@ -41,6 +48,7 @@ from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.model.assembly import single_holders
 from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.pairs.flexure import STATES
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.report_rows import Row, in_order, warning_row
@@ -62,6 +70,7 @@ from elastica_cad.web.saved_design import (
     idle_beside,
     open_design,
     without_idle,
+    without_keys,
     without_models,
 )
 
@@ -93,8 +102,6 @@ CATALOGUES: dict[str, Language] = {"de": "de", "zh": "zh-CN"}
 
 DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
 """Files that can be downloaded, in addition to the design."""
-
-STATES = ("first", "second")
 
 FILE_KEYS = ("file", "mesh", "sheets_file", "curve", *STATES)
 """Keys of a design whose value may be the name of a file."""
@@ -196,6 +203,11 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
     return requested_spec(request["design"], request.get("strip", 0))
 
 
+def _strip_table(request: Mapping[str, Any]) -> Record:
+    table: Record = request["design"]["strips"][request.get("strip", 0)]
+    return table
+
+
 def _strip_or_pair(request: Mapping[str, Any]) -> Record:
     """Return the strip, or the part with two states, and the keys that have no effect on it."""
     answered = _pair(request) if "pair" in request["design"] else _bent_strip(request)
@@ -231,7 +243,7 @@ def _bent_strip(request: Mapping[str, Any]) -> Record:
 def _bare_curve(request: Mapping[str, Any]) -> Record:
     """Return the drawn curve of a strip with invalid options. If the curve is invalid too, return {}."""
     with suppress(LookupError, TypeError):
-        return _drawn_table(request["design"]["strips"][request.get("strip", 0)]["curve"])
+        return _drawn_table(_strip_table(request)["curve"])
     return {}
 
 
@@ -282,8 +294,7 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     cannot move, the answer has the positions `from`. If more directions are left, the answer has the next
     `turn`.
     """
-    hold, design = request["hold"], request["design"]
-    strip = design["strips"][request.get("strip", 0)]
+    hold, design, strip = request["hold"], request["design"], _strip_table(request)
     curve, indices = strip["curve"], hold["point"]
 
     def record_with(place: FloatArray) -> Callable[[], Record] | None:
@@ -343,12 +354,12 @@ def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
 
     The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """
-    design, k, before = request["design"], request.get("strip", 0), request.get("length")
-    spec = requested_spec(design, k)
+    design, before = request["design"], request.get("length")
+    spec = _spec(request)
     after = (spec.rod_spec.drawn or spec.rod_spec.curve).length
     if not isinstance(before, int | float) or not before > 0 or before == after:
         return spec, {}
-    strip = design["strips"][k]
+    strip = _strip_table(request)
     tables = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
     scaled = scaled_places(tables, after / before)
     return requested_spec(design | {"strips": [strip | scaled]}), scaled
@@ -365,8 +376,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
             id(action.element): strip.bending_stiffness * action.force[0] for action in strip.rod.between
         }
     elements: list[Record] = []
-    records_of_key: Mapping[str, Sequence[Any]] = {"between": spec.between, "loads": loads}
-    for key, records in records_of_key.items():
+    for key, records in (("between", spec.between), ("loads", loads)):
         for k, record in enumerate(records):
             mass = record.mass if isinstance(record, PointMass) else None
             element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
@@ -382,7 +392,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    low, high = rod.position.min(axis=0), rod.position.max(axis=0)
+    low, high = box_about(rod.position)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
 
@@ -495,10 +505,7 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
         if change.field == "nearest_curve":
             yield from _support_of_nearest(request, change)
         removed = REMOVED.get(change.field, ())
-        rest, kept = (
-            {key: value for key, value in table.items() if key not in removed}
-            for table in (design, design["strips"][request.get("strip", 0)])
-        )
+        rest, kept = (without_keys(table, removed) for table in (design, _strip_table(request)))
         try:
             spec = requested_spec(rest | {"strips": [kept]})
         except ElasticaError:
@@ -514,10 +521,8 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
 
 def _support_of_nearest(request: Mapping[str, Any], change: Change) -> Iterator[Record]:
     """Yield the change that draws the nearest curve and keeps the rails, pins, ties and loads, if it works."""
-    design, index = request["design"], request.get("strip", 0)
-    strip = design["strips"][index]
-    without = {key: value for key, value in strip.items() if key not in REMOVED["elements"]}
-    limited = {key: value for key, value in design.items() if key not in REMOVED["elements"]}
+    strip = _strip_table(request)
+    limited, without = (without_keys(table, REMOVED["elements"]) for table in (request["design"], strip))
     spec = requested_spec(limited | {"strips": [without]})
     if suggestion := try_change(spec, change):
         (drawn,) = suggestion.requests
@@ -538,15 +543,13 @@ def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | Non
 
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
     """Return the tables of the strips after a suggested change: several for a split curve."""
-    design = request["design"]
-    strip, change = design["strips"][request.get("strip", 0)], suggestion.change
+    design, strip, change = request["design"], _strip_table(request), suggestion.change
     if suggestion.width is not None:
         strip = strip | {"max_width": suggestion.width.value}
     match change.field:
         case "point" | "size" | "split_corners":
             tables = [strip | {"curve": curve_table(request.curve)} for request in suggestion.requests]
-            unlabelled = [{key: table[key] for key in table if key != "label"} for table in tables[1:]]
-            return [tables[0], *unlabelled]
+            return [tables[0], *(without_keys(table, ("label",)) for table in tables[1:])]
         case "nearest":
             return [strip | {"limits": {"margin": SAFE_MARGIN}}]
         case "lap":
@@ -596,17 +599,14 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
             "The slider cannot bend a strip with rails, pins, ties or point forces. Remove these elements "
             "first."
         )
-    start, end, angles = strip.rod.position[0], strip.rod.position[-1], strip.rod.angle[[0, -1]]
-    chord = end - start
-    if not np.hypot(*chord) > 0:
+    start, end, chord = strip.rod.position[0], strip.rod.position[-1], strip.rod.chord
+    if not chord.any():
         raise InputError("A closed strip has no ends to move. Open the strip to bend it here.")
-    out = np.arctan2(chord[1], chord[0])
+    out = angle_of(chord)
     flat = start + NEARLY_FLAT * strip.rod.length * unit_vectors(out)
-    clamped_ends = [support.angle for support in strip.rod.supports.ends]
     # direction of the chord, with the full turns of the end angles
-    level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
-
-    level_ends = [level if clamped else None for clamped in clamped_ends]
+    level = out + 2 * np.pi * np.round((strip.rod.angle[[0, -1]].mean() - out) / (2 * np.pi))
+    level_ends = [level if support.angle else None for support in strip.rod.supports.ends]
     pulled = bend_strip(strip, [{"end": flat, "angles": level_ends}], steps=BENT_STEPS)
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     frames = [_frame(strip, pulled, k, 1 - part) for k, part in enumerate(parts)][::-1]
@@ -633,7 +633,8 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
         "moment": float(f"{travel.support_moment[k]:.3g}"),
         "stable": verdict.stable,
         "rows": _rows(rows),
-        **{key: shape[key] for key in ("position", "shares")},
+        "position": shape["position"],
+        "shares": shape["shares"],
     }
 
 
@@ -705,9 +706,9 @@ def _placed_strips(placed: Iterable[Placed]) -> Record:
 
 def _matrix(frame: Frame) -> list[float]:
     """Return a frame's matrix (4, 4) by columns, as graphics libraries expect."""
-    rows = np.eye(4)
-    rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
-    return [round(float(x), 6) for x in rows.T.ravel()]
+    columns = np.eye(4)
+    columns[:3, :3], columns[3, :3] = frame.axes, frame.origin
+    return [round(x, 6) for x in columns.ravel().tolist()]
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
@@ -722,26 +723,23 @@ def _pair(request: Mapping[str, Any]) -> Record:
         curves = [pair.get(key) for key in STATES] if isinstance(pair, Mapping) else []
         return {"states": [_drawn_table(curve) for curve in curves]} | refused(problem)
     pair, limit, places = part.pair, part.sheet.max_strain, []
-    for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
+    for rod, strain in zip(pair.states, part.strain, strict=True):
         k = np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int)
         wide, used = (_rounded(np.full(k.size, value), 3) for value in (part.sheet.thickness, strain / limit))
         places.append({"position": _rounded(rod.position[k], 3), "width": wide, "shares": used})
     rows = pair_rows(part, quick=True, live=bool(request.get("live")))
-    together = Row(
-        note("Hold"),
-        note(
-            "both states fit the same clamp positions"
-            if pair.bistable
-            else "each state needs its own clamp positions"
-        ),
+    together = note(
+        "both states fit the same clamp positions"
+        if pair.bistable
+        else "each state needs its own clamp positions"
     )
-    faults = [Row(note("Warning"), text, severity="warning") for text in part.rest_warnings]
+    faults = [warning_row(text, note("Warning")) for text in part.rest_warnings]
     return {
         "states": places,
         "flat": _flat_loops((part.drawing(), part.holder())),
         "text": str(pair.check),
         "length": round(pair.length, 2),
-        "rows": _rows(in_order([*rows, together, *faults])),
+        "rows": _rows(in_order([*rows, Row(note("Hold"), together), *faults])),
         "idle": [] if pair.bistable else ["push_at"],
     }
 
@@ -782,11 +780,10 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
         raise InputError("The position of a control point is {point!r}. Use two numbers in mm.", point=point)
     t = np.linspace(*curve.domain, 2001)[1:-1]
     at = t[np.argmin(norm(curve.evaluate(t) - place))]
-    weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
-    rows = [*(curve.control_points * weights[:, None]).T, weights]
-    knots, new, degree = insert(at, (curve.knots, rows, curve.degree))
-    x, y, w = (row[: len(knots) - degree - 1] for row in new)
-    return PlaneCurve(knots, np.column_stack([x, y]) / w[:, None], degree, w if curve.is_rational else None)
+    rows = homogeneous(curve.control_points, curve.weights)
+    knots, new, degree = insert(at, (curve.knots, [*rows.T], curve.degree))
+    rows = np.transpose(new)[: len(knots) - degree - 1]
+    return PlaneCurve(knots, project(rows), degree, rows[:, -1] if curve.is_rational else None)
 
 
 def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:

@@ -51,7 +51,7 @@ def start_designs() -> dict[str, Tables]:
 
 def without_models(tables: Mapping[str, Any]) -> Tables:
     """Return the tables of a design without those that only models need."""
-    return {key: value for key, value in tables.items() if key not in OF_MODELS}
+    return without_keys(tables, OF_MODELS)
 
 
 def idle_beside(design: Mapping[str, Any], k: int = 0) -> list[str]:
@@ -73,15 +73,16 @@ def without_idle(design: Mapping[str, Any]) -> Tables:
     """
     strips, pair = design.get("strips"), design.get("pair")
     if isinstance(pair, Mapping):
-        return {**design, "pair": _without(pair, idle_beside(design))}
+        return {**design, "pair": without_keys(pair, idle_beside(design))}
     if not strips or not isinstance(strips, list):
         return {**design}
     idle = [idle_beside(design, k) for k in range(len(strips))]
     top = {key: value for key, value in design.items() if not all(key in keys for keys in idle)}
-    return top | {"strips": [_without(strip, keys) for strip, keys in zip(strips, idle, strict=True)]}
+    return top | {"strips": [without_keys(strip, keys) for strip, keys in zip(strips, idle, strict=True)]}
 
 
-def _without(table: Mapping[str, Any], keys: Sequence[str]) -> Tables:
+def without_keys(table: Mapping[str, Any], keys: Sequence[str]) -> Tables:
+    """Return a table without some of its keys."""
     return {key: value for key, value in table.items() if key not in keys}
 
 
