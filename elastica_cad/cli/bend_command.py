@@ -231,7 +231,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     change = _bend_keywords(before, strip, chosen)
     if chosen["shorten"] is not None and stays:
         _refuse_fixed_cords(rod, supports, change["between"])
-    angles = [chosen[f"{end}_angle"] for end in ("start", "end")]
+    angles = chosen["start_angle"], chosen["end_angle"]
     path = [{
         "start": chosen["start"], "end": chosen["end"], "supports": supports, **change,
         "angles": tuple(None if angle is None else float(np.radians(angle)) for angle in angles),
@@ -285,12 +285,10 @@ def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Ro
         refuse_idle({"down": ("gravity", *LOADS)})
     settings = parsed_settings(chosen["settings"], BentKeys)
     _refuse_uncompensated(settings, finished)
-    strip = (
-        _initial_strip(requested, chosen, settings)
-        if finished is None
-        else _with_changes(finished, chosen, settings).make()
-    )
-    return strip, _initial_rod(requested, chosen) if strip is None else strip.rod
+    if finished is None:
+        return _designed(requested, chosen, settings)
+    strip = _with_changes(finished, chosen, settings).make()
+    return strip, strip.rod
 
 
 def _bent_shape(record: Any) -> tuple[Strip | None, Rod]:
@@ -354,20 +352,30 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
     return finished.changed(**fields) if fields else finished
 
 
-def _initial_strip(
+def _designed(
     requested: RequestedCurve | None, chosen: Chosen, settings: dict[str, Any]
-) -> Strip | None:
-    if chosen["sheet"] is None or not (settings or given_of(chosen, ("max_width", "rod"))):
-        return None
+) -> tuple[Strip | None, Rod]:
+    """Return the strip, or None without its size, and the rod: straight, the even bow, or for the curve."""
+    is_sized = chosen["sheet"] is not None and (settings or given_of(chosen, ("max_width", "rod")))
+    down, gravity = chosen["down"] or (0.0, -1.0), None
+    if chosen["gravity"] and not is_sized:
+        gravity = require_flat(requested_sheet(chosen)).gravity(down)
+    if requested is None and not is_sized:
+        return None, Rod.straight(chosen["straight"], gravity=gravity)
     if requested is None or chosen["rod"] or chosen["even"]:
-        return _even_strip(requested, chosen)
+        strip = _even_strip(requested, chosen)
+        return (strip, strip.rod) if is_sized else (None, replace(strip.rod, gravity=gravity))
     table = given_of(chosen, ("sheet", "thickness", "max_width", "smooth"))
     table |= {"limits": {}} if chosen["nearest"] else {}
-    table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
+    table |= {"gravity": list(down)} if chosen["gravity"] else {}
     table = with_settings(table, settings)
-    plane_curve = requested.curve if "limits" in table else requested.bendable(table.get("smooth"))
-    spec = spec_from_options(plane_curve, requested.label, table)
-    return spec.make(_solve(spec.rod_spec))
+    drawn = requested.curve if "limits" in table else requested.bendable(table.get("smooth"))
+    if is_sized:
+        spec = spec_from_options(drawn, requested.label, table)
+        strip = spec.make(_solve(spec.rod_spec))
+        return strip, strip.rod
+    limits = Limits() if chosen["nearest"] else None
+    return None, accepted_rod(_solve(RodSpec(drawn, gravity, smooth=chosen["smooth"], limits=limits)))
 
 
 def _even_strip(requested: RequestedCurve | None, chosen: Chosen) -> Strip:
@@ -381,19 +389,6 @@ def _even_strip(requested: RequestedCurve | None, chosen: Chosen) -> Strip:
         return bow(requested.curve, sheet, label=requested.label, **fields).strip
     section = fields.pop("section", None) or PlainSection.as_plate(sheet, widest)
     return Strip(Rod.straight(chosen["straight"], section=section), sheet, **fields)
-
-
-def _initial_rod(requested: RequestedCurve | None, chosen: Chosen) -> Rod:
-    smooth, gravity = chosen["smooth"], None
-    if chosen["gravity"]:
-        gravity = require_flat(requested_sheet(chosen)).gravity(chosen["down"] or (0.0, -1.0))
-    if requested is None:
-        return Rod.straight(chosen["straight"], gravity=gravity)
-    if chosen["rod"] or chosen["even"]:
-        return replace(_even_strip(requested, chosen).rod, gravity=gravity)
-    limits = Limits() if chosen["nearest"] else None
-    drawn = requested.curve if limits else requested.bendable(smooth)
-    return accepted_rod(_solve(RodSpec(drawn, gravity, smooth=smooth, limits=limits)))
 
 
 def _solve(spec: RodSpec) -> Rod | NearestRod:
@@ -414,12 +409,11 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, A
         if not any(isinstance(action.element, Tie) for action in actions):
             raise InputError("--shorten needs a cord. Add --tie START END.")
         change["between"] = tuple(_with_shorter_cord(action, chosen["shorten"]) for action in actions)
-    loads = elements_of(chosen, LOADS)
-    if loads and strip is None:
-        raise InputError(
-            "Loads in newtons or grams need a strip with its size. Add --sheet, and --max-width or --rod."
-        )
-    if loads:
+    if loads := elements_of(chosen, LOADS):
+        if strip is None:
+            raise InputError(
+                "Loads in newtons or grams need a strip with its size. Add --sheet, and --max-width or --rod."
+            )
         change["loads"] = loads
     return change
 
@@ -473,8 +467,8 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
 
 
 def _force_report(action: ElementForce, bending_stiffness: float, points: FloatArray) -> dict[str, Any]:
-    kind = NOUNS[type(action.element)]
-    return {"kind": kind, "at": action.s, "points": points, "force": bending_stiffness * action.force}
+    force = bending_stiffness * action.force
+    return {"kind": NOUNS[type(action.element)], "at": action.s, "points": points, "force": force}
 
 
 def _rows(
@@ -491,7 +485,8 @@ def _rows(
     width, height = np.ptp(last.position, axis=0)
     which = "last shape " if shapes[1:] else ""
     radius = _smallest_radius(last)
-    radius = radius if radius == "straight" else f"smallest radius {radius} mm"
+    if radius != "straight":
+        radius = f"smallest radius {radius} mm"
     yield Row("Shape", f"{which}{width:.1f} x {height:.1f} mm, {radius}")
     (x0, y0), (x1, y1) = np.round(last.position[[0, -1]], 2) + 0.0
     yield Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing")
@@ -499,7 +494,7 @@ def _rows(
         yield from load_rows(last)
         yield _displacement_row(moved, released=change.get("between") == ())
         yield from between_rows(last, moved.strip.bending_stiffness)
-        worst = int(np.argmin(moved.safety))
+        worst = moved.safety.argmin()
         safety = number_text(moved.safety[worst])
         yield Row("Strain", f"at most {Strain(moved.strain[worst])}, safety {safety}")
     yield _stability_row(states, legs, moved)
@@ -521,8 +516,7 @@ def _rows(
         return
     largest = f"{Force(moved.support_force.max())} and {Moment(moved.support_moment.max())}"
     yield Row("Force", f"at most {largest} at an end; the strip stores {Energy(moved.energy.max())}")
-    tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
-    if tips:
+    if tips := [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]:
         k = min(tips, key=lambda k: moved.sideways[k].overloaded)
         where = f"at {moved.words(moved.places[k])}, " if shapes[1:] else ""
         yield warning_row(f"{where}{moved.sideways[k].meaning}", "Stability")
@@ -532,11 +526,14 @@ def _rows(
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
     """Yield a warning if a rail pushes a straight strip down, because the rail's point is below the strip."""
     at, direction = getattr(action.element, "at", None), action.bar_direction(shape.curve)
-    gravity = shape.gravity
     straight = rod.shape is None and np.ptp(rod.angle) <= STRAIGHT_RAD
-    if not straight or not isinstance(at, tuple) or direction is None or gravity is None:
-        return
-    if direction @ gravity.direction < 0:
+    if (
+        straight
+        and isinstance(at, tuple)
+        and direction is not None
+        and shape.gravity is not None
+        and direction @ shape.gravity.direction < 0
+    ):
         yield note(
             "The rail at {point} is on top of the strip and pushes it down to this point, which is below the "
             "straight strip. To put a rail under the strip, with a gap between them, draw the straight line, run "

@@ -226,8 +226,7 @@ def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
         limits = [f"a {name} allows {Strain(rod.max_strain):.2f}" for name, rod in rods.items()]
         largest = f"{report['max_strain']:.2f} at {strip.max_strain_at:.0f} mm from the start"
         return [*rows, Row("Strain", "; ".join([largest, *limits]))]
-    reported = {*strip.strain_warnings}
-    warnings = [warning_row(text) for text in strip.warnings if text not in reported]
+    warnings = [warning_row(text) for text in strip.warnings if text not in strip.strain_warnings]
     return [*rows, *strain_rows(strip), *cut_rows(result.pattern), *warnings]
 
 
@@ -276,15 +275,14 @@ def _curve_row(result: Bow, far: Length) -> Row:
 
 
 def _table(fractions: list[float], shorter: Travel, *, in_newtons: bool) -> dict[str, Any]:
-    cord = norm(shorter.end)
     return {
         "shorter_percent": [100 * fraction for fraction in fractions],
-        "cord_mm": cord.tolist(),
-        "pull_N" if in_newtons else "pull_N_per_GPa": norm(shorter.end_force).tolist(),
+        "cord_mm": norm(shorter.end),
+        "pull_N" if in_newtons else "pull_N_per_GPa": norm(shorter.end_force),
         "rise_mm": [rise_of(rod) for rod in shorter.rods],
-        "strain_percent": (100 * shorter.strain).tolist(),
-        **({"safety": shorter.safety.tolist()} if in_newtons else {}),
-        "margin": shorter.margin.tolist(),
+        "strain_percent": (100 * shorter.strain),
+        **({"safety": shorter.safety} if in_newtons else {}),
+        "margin": shorter.margin,
     }
 
 

@@ -3,7 +3,6 @@
 from dataclasses import replace
 from functools import partial
 from math import hypot
-from pathlib import Path
 from typing import Any
 
 import click
@@ -151,27 +150,22 @@ def _sheet_of_coupon(chosen: Chosen) -> Sheet:
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 
 
-def _library_folder() -> Path:
-    """Return the folder in which a measured sheet is found by later commands."""
-    places = library_folders()
-    if not places:
-        raise InputError(
-            "--keep needs a folder for settings, but there is no home folder. Set the variable "
-            "ELASTICA_SHEETS to a folder, or leave out --keep."
-        )
-    folder = next((place for place in places if place.suffix != ".toml"), None)
-    if folder is None:
-        raise InputError(
-            "--keep needs a folder, but the variable ELASTICA_SHEETS names only files. Add a folder to it."
-        )
-    return folder
-
-
 def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
     """Compute the properties of a sheet from measured droops, write its file, and print them with warnings."""
     measured, least_radius = chosen["measured"], chosen["least_radius"]
     is_listed, name = chosen["sheet"] is not None, chosen["name"] or f"my-{sheet.name}"
-    output = _library_folder() if chosen["keep"] else chosen["output"]
+    places, output = library_folders(), chosen["output"]
+    if chosen["keep"]:
+        if not places:
+            raise InputError(
+                "--keep needs a folder for settings, but there is no home folder. Set the variable "
+                "ELASTICA_SHEETS to a folder, or leave out --keep."
+            )
+        output = next((place for place in places if place.suffix != ".toml"), None)
+        if output is None:
+            raise InputError(
+                "--keep needs a folder, but the variable ELASTICA_SHEETS names only files. Add a folder to it."
+            )
     result = calibrate_cantilever(
         *zip(*measured, strict=True),
         reading_error=chosen["reading_error"],
@@ -215,7 +209,7 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
         )
     say("", measured_sheet.toml())
     wrote([written])
-    known_as = name if output in library_folders() else written
+    known_as = name if output in places else written
     say_rows(Row("Next", f"use the sheet in any command: --sheet {quote_words([str(known_as)])}"))
 
 

@@ -51,7 +51,7 @@ def pre_bend_message(strip: Strip) -> str:
     equal pieces may be turned over.
     """
     rod = strip.rod
-    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    rest = rod.rest_at(rod.s)
     if not rest.any():
         return ""
     even = np.ptp(rest) == 0
@@ -159,7 +159,7 @@ def report_strip(
         "joint": _joint(strip),
         "layers": _layers(strip),
         "between": _between(strip),
-        "warnings": [*strip.warnings, *([] if unstable is None else [unstable])],
+        "warnings": [*strip.warnings, *filter(None, [unstable])],
     }
     return {
         "schema": REPORT_SCHEMA,
@@ -321,12 +321,9 @@ def report_held(shape: HeldShape) -> PlainData:
             cause: float(f"{mm:.2g}") for cause, mm in {"all": shape.sheet_adds, **shape.sheet}.items()
         },
         "parts": shape.parts,
-        "made_up_for": list(shape.made_up_for),
-        "ends": {
-            end: {"shift": pose.shift, "turn": pose.turn}
-            for end, pose in (("start", shape.start), ("end", shape.end))
-        },
-        "notes": list(shape.notes),
+        "made_up_for": shape.made_up_for,
+        "ends": {"start": shape.start, "end": shape.end},
+        "notes": shape.notes,
     }
 
 
@@ -384,7 +381,7 @@ def _joint(strip: Strip) -> PlainData | None:
     return {
         "place": strip.rod.position[0],
         "lap": strip.ends[1].length,
-        "widths": np.array(strip.end_widths),
+        "widths": strip.end_widths,
         "moment": held.end_moment,
         "force": held.end_force,
         "meaning": strip.joint,

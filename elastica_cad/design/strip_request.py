@@ -95,19 +95,12 @@ class FinishedStrip:
         sized = {"max_width", "min_width", "style"} & set(fields)
         if "section" in fields:
             ends = tuple(tab.plain for tab in self.spec.ends)
-            fields = {
-                "max_width": None,
-                "min_width": None,
-                "style": Plain(),
-                "slots": (),
-                "ends": ends,
-                **fields,
-            }
+            fields = {"style": Plain(), "slots": (), "ends": ends, **fields}
         elif sized and section is not None:
             fields = {"section": None, **fields}
         elif sheet is not None and section is not None:
             fields = {"section": replace(section, sheet=sheet), **fields}  # type: ignore[type-var]
-        if sized - {"style"}:
+        if "section" in fields or sized - {"style"}:
             fields = {"max_width": None, "min_width": None, **fields}
         if not fields.get("gravity", True):
             fields = {"loads": (), **fields}
@@ -243,7 +236,7 @@ def _as_json(value: Any) -> Any:
     if is_dataclass(value):
         kind = next(name for name, record in RECORDS.items() if type(value) is record)
         return {"record": kind} | {
-            field.name: _as_json(getattr(value, field.name)) for field in fields(RECORDS[kind]) if field.init
+            field.name: _as_json(getattr(value, field.name)) for field in fields(value) if field.init
         }
     if isinstance(value, NominalRatio):
         return {"record": NominalRatio.__name__, "value": float(value)}

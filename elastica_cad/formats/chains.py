@@ -26,6 +26,7 @@ from elastica_cad.geometry.path import nearest_by_sampling
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     begun_at,
+    box_about,
     corner_points,
     is_closed,
     lengths_along,
@@ -48,6 +49,9 @@ _MOST_ENDS = 50
 
 # position in a run: index of the edge, and parameter on the edge
 _Place: TypeAlias = tuple[int, float]
+
+# index of a run, and its end: 0 for the start, 1 for the end
+_End: TypeAlias = tuple[int, int]
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +101,7 @@ def join_runs(
     chains, _ = _joined_runs(distinct, np.full(2 * len(distinct), tolerance / 2), corners=corners)
     reach = np.maximum(_digits_of_ends(chains), tolerance / 2)
     chains, closed = _joined_runs(chains, reach, corners=corners)
-    return JoinedRuns(chains, overlaps, closed, 2 * float(reach.max(initial=0.0)))
+    return JoinedRuns(chains, overlaps, closed, 2 * float(reach.max()))
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
@@ -143,11 +147,11 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     """
     ended = [k for k, run in enumerate(chains) if len(run) > 1 and not _is_loop(run)]
     # for each circle, the chains on whose ends it is
-    homes: dict[int, list[int]] = {}
-    for i, chain in enumerate(chains):
-        circle = _circle(chain)
-        if circle is not None:
-            homes[i] = [k for k in ended if any(_is_on_edge(*circle, chains[k][end]) for end in (0, -1))]
+    homes = {
+        i: [k for k in ended if any(_is_on_edge(*circle, chains[k][end]) for end in (0, -1))]
+        for i, chain in enumerate(chains)
+        if (circle := _circle(chain))
+    }
     curves = [i for i in range(len(chains)) if not homes.get(i)]
     return [chains[i] for i in curves], [[chains[j] for j in homes if i in homes[j]] for i in curves]
 
@@ -172,7 +176,7 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
     if any(edge.degree < 2 or edge.weights is None for edge in run) or not _is_loop(run):
         return None
     points = sample_run(run, 9)
-    centre = (points.max(axis=0) + points.min(axis=0)) / 2
+    centre = box_about(points).mean(axis=0)
     away = np.linalg.norm(points - centre, axis=1)
     return (centre, 2 * float(away.mean())) if np.ptp(away) <= JOIN_TOLERANCE else None
 
@@ -206,16 +210,14 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     return sorted(pairs, key=lambda pair: pair[0])
 
 
-def _follow_joints(
-    first: int, side: int, partner: dict[tuple[int, int], tuple[int, int]], used: list[bool]
-) -> list[tuple[int, int]]:
+def _follow_joints(first: int, side: int, partner: dict[_End, _End], used: list[bool]) -> list[_End]:
     """Follow the joints from one end of the run `first`, and return the runs in order.
 
     `side` is this end: 0 for the start, 1 for the end. Each entry has the index of a run, and the end at which
     the chain leaves this run.
     """
     used[first] = True
-    path: list[tuple[int, int]] = []
+    path: list[_End] = []
     here = (first, side)
     while here in partner:
         i, entered = partner[here]
@@ -235,9 +237,7 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
-def _partners(
-    runs: Sequence[Run], reach: FloatArray, *, corners: bool
-) -> dict[tuple[int, int], tuple[int, int]]:
+def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> dict[_End, _End]:
     """Return the partner of each end (run, side) that touches exactly one other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
@@ -262,7 +262,7 @@ def _partners(
     return partners
 
 
-def _cosine_of_turn(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> float:
+def _cosine_of_turn(runs: Sequence[Run], first: _End, other: _End) -> float:
     out, into = (_end_tangent(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
     return float(-out @ into)
 
@@ -281,9 +281,8 @@ class _RunIndex:
         self.runs, self.tolerance = runs, tolerance
         self.ends = _ends(runs).reshape(len(runs), 2, -1)
         self.sizes = np.array([sum(edge.length for edge in run) for run in runs])
-        points = [np.concatenate([edge.points for edge in run]) for run in runs]
-        self.lows = np.array([some.min(axis=0) for some in points]) - tolerance
-        self.highs = np.array([some.max(axis=0) for some in points]) + tolerance
+        boxes = np.array([box_about(np.concatenate([edge.points for edge in run])) for run in runs])
+        self.lows, self.highs = boxes[:, 0] - tolerance, boxes[:, 1] + tolerance
         middles = self.ends.mean(axis=1)
         self.axis = int(np.ptp(middles, axis=0).argmax())
         self.sorted = middles[:, self.axis].argsort()
@@ -451,6 +450,7 @@ def curve_from_run(
         Circles drawn on the straight ends of the curve, in its plane.
     """
     sources = [edge.source for edge in run if edge.source is not None]
+    first = sources[0] if sources else Source()
     check_size(np.concatenate([edge.points for edge in run]), in_file=bool(sources))
     # four vertices count as one piece: see `MOST_PIECES`
     check_count(
@@ -462,8 +462,8 @@ def curve_from_run(
     drawn = replace(
         shown or Provenance(),
         rounding=max((source.rounding for source in sources), default=0.0),
-        name=sources[0].name if sources else "",
-        layer=sources[0].layer if sources else "",
+        name=first.name,
+        layer=first.layer,
         holes=tuple((float(x), float(y), size) for (x, y), size in filter(None, map(_circle, holes))),
     )
     if all(edge.degree == 1 for edge in run):
@@ -477,15 +477,14 @@ def curve_from_run(
     healing = heal_tangents(whole.knots, whole.points, whole.degree, whole.weights, rounding=drawn.rounding)
     drawn = replace(drawn, measured=measured, undecided=healing.undecided)
     curve = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights, drawn)
-    return curve.drawn_as(replace(drawn, healed=_distance_moved(whole, curve))) if healing.healed else curve
-
-
-def _distance_moved(drawn: Edge, healed: PlaneCurve) -> float:
-    t = drawn.stations()
-    points = drawn.at(t)
-    away = norm(points - healed.evaluate(t))
+    if not healing.healed:
+        return curve
+    t = whole.stations()
+    points = whole.at(t)
+    away = norm(points - curve.evaluate(t))
     # `away` compares points at equal parameters; the distances to the nearest points are smaller
-    return largest_distance(points[away >= away.max() / 2], healed)
+    moved = largest_distance(points[away >= away.max() / 2], curve)
+    return curve.drawn_as(replace(drawn, healed=moved))
 
 
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:

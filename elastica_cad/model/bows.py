@@ -14,7 +14,7 @@ from elastica_cad.errors import FaultError, InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, norm
+from elastica_cad.geometry.plane_points import angle_of, left_of, norm
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.cross_sections import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.elements import ElementForce, PointForce, Tie
@@ -82,8 +82,7 @@ class Bow:
     @property
     def end_angles(self) -> FloatArray:
         """Angles (2,), rad, of the bow at its start and end, measured from the direction from start to end."""
-        x, y = self.strip.rod.chord
-        turn = self.strip.rod.angle[[0, -1]] - np.arctan2(y, x)
+        turn = self.strip.rod.angle[[0, -1]] - angle_of(self.strip.rod.chord)
         return np.asarray(turn - 2 * np.pi * np.round(turn.mean() / (2 * np.pi)))
 
     @cached_property
@@ -193,7 +192,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     return result
 
 
-def room_for_hole(hole: float, sheet: Sheet | str, **fields: Any) -> dict[str, float]:
+def room_for_hole(hole: float, sheet: Sheet, **fields: Any) -> dict[str, float]:
     """Return the field `min_width` with which the sheet has enough material beside a hole of diameter `hole`, mm.
 
     The result is empty without a hole, and if the strip may not be so wide.
@@ -203,9 +202,9 @@ def room_for_hole(hole: float, sheet: Sheet | str, **fields: Any) -> dict[str, f
     return {"min_width": least} if fits else {}
 
 
-def _least_beside(sheet: Sheet | str, shop: FabricationLimits | None) -> float:
-    limits, material = limits_or_default(shop), Sheet.of(sheet)
-    return min(limits.width_for(material), limits.bridge_for(material))
+def _least_beside(sheet: Sheet, shop: FabricationLimits | None) -> float:
+    limits = limits_or_default(shop)
+    return min(limits.width_for(sheet), limits.bridge_for(sheet))
 
 
 def rise_of(rod: Rod) -> float:
@@ -228,7 +227,7 @@ def _strip_of_constant_section(
     across = (curve.survey.position - start) @ left_of(end - start)
     # the relative error of the force in the cord is then 2e-7
     flat = Rod.straight(
-        curve.length, samples=2401, start=start, angle=float(np.arctan2(*(end - start)[::-1])),
+        curve.length, samples=2401, start=start, angle=float(angle_of(end - start)),
         supports=ENDS, section=section or PlainSection.as_plate(sheet, max_width),
     )  # fmt: skip
     rod = bend(flat, end=end, side=1 if across.mean() >= 0 else -1)

@@ -6,7 +6,7 @@ Slots go half way into each strip, so that the strips slide into each other.
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -75,7 +75,6 @@ def _bent_slot_width(
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
     # the unknowns x are the distance across the slot, and the distances along and across strip `other`
     x = np.zeros((len(rows), 3))
-    error = np.full(len(rows), np.inf)
     # bound on the unknowns, which would diverge if the faces do not meet
     farthest = ruled.length + other.length
     for _ in range(30):
@@ -102,6 +101,9 @@ SHALLOW_RAD = np.radians(15.0)
 
 TOUCHING_RAD = np.radians(1.0)
 """Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
+
+Members: TypeAlias = tuple[int, int]
+"""Indices of two strips of a model."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
@@ -202,14 +204,12 @@ def interlock(
     up = None if above is None else direction(above, "above")
     ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
     names = distinct_names(placed)
-    cutter = _Cutter(
-        tuple(strip.strip for strip in placed), names, engraved_labels(placed), clearance, fit, relief, up
-    )
+    cutter = _Cutter(placed, ruled, names, engraved_labels(placed), clearance, fit, relief, up)
     joints: list[Joint] = []
     meeting = strips_may_meet(ruled)
     for i, j in _checked_pairs(len(placed), pairs):
         if meeting[i, j]:
-            joints += cutter.joints((i, j), (placed[i], placed[j]), (ruled[i], ruled[j]))
+            joints += cutter.joints((i, j))
     slots: list[list[Slot]] = [[] for _ in placed]
     for joint in joints:
         for member, slot in zip(joint.members, joint.slots, strict=True):
@@ -242,19 +242,19 @@ def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[
     return slotted
 
 
-def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
+def _checked_pairs(count: int, pairs: Iterable[Members] | None) -> list[Members]:
     """Return the pairs of indices i < j without duplicates; all pairs by default."""
     if pairs is None:
         return list(combinations(range(count), 2))
-    checked = []
+    checked = set[Members]()
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
         if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
             raise InputError(
                 f"the pair of strips is {pair!r}: give the numbers of two different strips, 0 to {count - 1}"
             )
-        checked.append((min(pair), max(pair)))
-    return sorted(set(checked))
+        checked.add((min(pair), max(pair)))
+    return sorted(checked)
 
 
 def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
@@ -268,7 +268,8 @@ def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
 class _Cutter:
     """Makes the joints of pairs of strips. `marks` are the names engraved beside slots, by label."""
 
-    strips: tuple[Strip, ...]
+    placed: tuple[Placed, ...]
+    ruled: Sequence[RuledStrip]
     names: tuple[str, ...]
     marks: Mapping[str, str]
     clearance: float
@@ -278,66 +279,65 @@ class _Cutter:
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
     """Joints already made for equal pairs of strips, with the frame of the earlier strip."""
 
-    def joints(
-        self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
-    ) -> tuple[Joint, ...]:
+    def joints(self, members: Members) -> tuple[Joint, ...]:
         """Return the joints of a pair, which are stored for each request.
 
         Equal strips in the same relative position have the same crossings, which are then only moved.
         """
         above = None if self.above is None else tuple(self.above.tolist())
         request = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
-        known = _joined.setdefault(placed[0], WeakKeyDictionary())
-        before, joints_of_pair = known.get(placed[1], (None, ()))
+        first, second = (self.placed[i] for i in members)
+        known = _joined.setdefault(first, WeakKeyDictionary())
+        before, joints_of_pair = known.get(second, (None, ()))
         if before != request:
-            frame, mate = placed[0].frame, placed[1].frame
+            frame = first.frame
             up = (
                 None if self.above is None else tuple(np.round(frame.axes @ self.above, TURN_DIGITS).tolist())
             )
-            alike = *(cut_key(member.strip) for member in placed), *place_between(frame, mate), up
+            alike = cut_key(first.strip), cut_key(second.strip), *place_between(frame, second.frame), up
             if alike not in self.crossed:
-                crossings = strip_crossings(*ruled)
-                self.refuse_touching(members, ruled, crossings)
+                crossings = strip_crossings(*(self.ruled[i] for i in members))
+                self.refuse_touching(members, crossings)
                 self.crossed[alike] = [self.joint(members, crossing) for crossing in crossings], frame
-            joints, first = self.crossed[alike]
-            joints_of_pair = tuple(self.repeated(joint, members, (first, frame)) for joint in joints)
-            known[placed[1]] = request, joints_of_pair
+            joints, drawn = self.crossed[alike]
+            joints_of_pair = tuple(self.repeated(joint, members, drawn, frame) for joint in joints)
+            known[second] = request, joints_of_pair
         return joints_of_pair
 
-    def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
+    def repeated(self, joint: Joint, members: Members, drawn: Frame, frame: Frame) -> Joint:
         """Copy a joint to the strips with the indices `members`, which cross like the strips of the joint.
 
-        `frames` are the frames of the joint's first strip and of the first strip of `members`.
+        `drawn` and `frame` are the frames of the joint's first strip and of the first strip of `members`.
         """
         first, second = (
-            replace(slot, mate=self.marks[self.strips[mate].label])
+            replace(slot, mate=self.marks[self.placed[mate].strip.label])
             for slot, mate in zip(joint.slots, members[::-1], strict=True)
         )
-        position = frames[1].point(frames[0].local(joint.position))
+        position = frame.point(drawn.local(joint.position))
         return replace(joint, members=members, slots=(first, second), position=position)
 
-    def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
+    def joint(self, members: Members, crossing: Crossing) -> Joint:
         """Return the joint at a crossing, with a slot in each strip from its edge to the middle.
 
-        Strips that only touch are refused.
+        `repeated` adds the names of the mates. Strips that only touch are refused.
         """
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
         if low < TOUCHING_RAD:
-            raise InputError(self._touch(members, float(points.first[int(points.angle.argmin()), 0])))
-        slots, middle = [], np.zeros(3)
+            raise InputError(self._touch(members, float(points.first[points.angle.argmin(), 0])))
+        slots = []
         for which, last in enumerate(self._cut_ends(members, crossing)):
             p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
             # first this strip, then its mate
             way = 1 - 2 * which
             rows, mates = (p.first, p.second)[::way]
-            thickness, other = (strip_thickness(self.strips[i]) for i in members[::way])
+            thickness, other = (strip_thickness(self.placed[i].strip) for i in members[::way])
             widths = slot_width(p.angle, own=thickness, other=other, clearance=self.clearance, fit=self.fit)
             if self.fit == "exact":
                 sheet, mate = crossing.strips[::way]
                 bent = _bent_slot_width(sheet, mate, rows, mates, thickness=(thickness, other))
                 widths = np.maximum(widths, bent + self.clearance)
-            if self.clearance >= float(self.strips[members[which]].width(rows[0, 0])):
+            if self.clearance >= float(self.placed[members[which]].strip.width(rows[0, 0])):
                 raise InputError(
                     "a clearance of {clearance:g} is more than the width of {names} at {rows:.6g} from its "
                     "start: reduce the clearance",
@@ -346,12 +346,11 @@ class _Cutter:
                     rows=Length(rows[0, 0]),
                 )
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
-            name = self.marks[self.strips[members[1 - which]].label]
-            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=name))
+            slots.append(Slot.along(rows, widths, side=side, relief=self.relief))
             middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
-    def _cut_ends(self, members: tuple[int, int], crossing: Crossing) -> list[float]:
+    def _cut_ends(self, members: Members, crossing: Crossing) -> list[float]:
         """Return the parameter of the crossing at the edge from which each strip is cut.
 
         If both ends of the crossing are possible, the slot of the earlier strip opens towards `above` or, by
@@ -372,19 +371,17 @@ class _Cutter:
             )
         # the costs are fractions of the length of the crossing
         if abs(costs[0] - costs[1]) > 0.5:
-            return ways[int(np.argmin(costs))]
+            return ways[np.argmin(costs)]
         up = crossing.strips[0].axis if self.above is None else self.above
         heights = crossing.course[2].position @ up
         return ways[0 if heights[0] > heights[-1] else 1]
 
-    def refuse_touching(
-        self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
-    ) -> None:
+    def refuse_touching(self, members: Members, crossings: Iterable[Crossing]) -> None:
         """Refuse strips with parallel rulings that touch anywhere except at their crossings."""
-        a, b = ruled
+        a, b = (self.ruled[i] for i in members)
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return
-        reach = sum(strip_thickness(self.strips[i]) for i in members) / 2
+        reach = sum(strip_thickness(self.placed[i].strip) for i in members) / 2
         nodes, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
         distance = norm(nodes[:, None, :2] - other[None, :, :2])
         nearest = distance.argmin(axis=1)
@@ -397,9 +394,9 @@ class _Cutter:
             room = reach / np.tan(max(float(p.angle[0]), TOUCHING_RAD)) + 2 * spacing
             touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
         if touch.any():
-            raise InputError(self._touch(members, float(a.stations[int(touch.argmax())])))
+            raise InputError(self._touch(members, float(a.stations[touch.argmax()])))
 
-    def _touch(self, members: tuple[int, int], s: float) -> str:
+    def _touch(self, members: Members, s: float) -> str:
         return note(
             "{a} and {b} do not cross {s} from the start of {a}, but touch along a line: move the strips "
             "apart, or turn one of them",
@@ -415,8 +412,12 @@ def strip_thickness(strip: Strip) -> float:
 
 def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
     """Return messages on crossings at small angles, and on the order of assembly."""
-    shallow: dict[tuple[int, int], list[Joint]] = {}
+    if not joints:
+        return (note("no strips cross, so no slots were cut"),)
+    shallow: dict[Members, list[Joint]] = {}
+    sides: dict[int, set[str]] = {}
     for joint in joints:
+        sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
         if joint.angle[0] < SHALLOW_RAD:
             shallow.setdefault(joint.members, []).append(joint)
     messages = []
@@ -431,25 +432,16 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
             "are up to {width} wide: increase the angle for a better hold",
             a=a, b=b, degrees=Angle(min(joint.angle[0] for joint in group)), places=places, width=Length(width),
         ))  # fmt: skip
-    order = _order_message(names, joints) if joints else note("no strips cross, so no slots were cut")
-    return (*messages, order)
-
-
-def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
-    sides: dict[int, set[str]] = {}
-    for joint in joints:
-        sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
-    both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
-    texts = [
+    order = [
         note(
             "assemble in the order {order}: push each strip onto the strips before it", order=", ".join(names)
         )
     ]
-    if both:
-        texts.append(note(
+    if both := [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]:
+        order.append(note(
             "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)
         ))  # fmt: skip
-    return sentences(texts)
+    return (*messages, sentences(order))
 
 
 def _refuse_meeting_slots(strip: Strip, name: str) -> None:

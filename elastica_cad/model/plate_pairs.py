@@ -42,8 +42,8 @@ from elastica_cad.model.plates import (
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.strip import Placed, Strip
-from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
+from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.tab_seats import Lean, lean_against
 from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
 MOST_BENT_RAD = np.radians(20.0)
@@ -191,12 +191,13 @@ def _tested_cures(
     Without one, return the next problem or a remedy that was not tried.
     """
     cures, slotted = [], [plate for plate in plates if tabs_of(plate)]
-    sized = None
     # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
-    if length < np.inf and len(slotted) == len(plates):
-        # if `strips_at` makes the strips, tabs of a given length lose their default width: suggest the width too
-        sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
-    if sized is not None:
+    # if `strips_at` makes the strips, tabs of a given length lose their default width: suggest the width too
+    if (
+        length < np.inf
+        and len(slotted) == len(plates)
+        and (sized := fitting_tabs(placed, slotted, gap, length, keep=strips_at is None))
+    ):
         long, wide = sized
         text = "make the tab {needed:g} long and {width:.0f} wide"
         cures.append(
@@ -349,7 +350,16 @@ def _leaned(
             _with_slots(plate, lambda slot, tab: replace(slot, tab=replace(tab, length=np.inf)))
             for plate in leaned
         )
-        leans = _displacements(ends, tab_seats(endless))
+        seats = tab_seats(endless)
+        leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
+        for cut, strip, index, key in ends:
+            if key in seats:
+                alike = cut, index, seats[key].places
+                if alike not in known:
+                    loaded = strip.as_made.loaded
+                    ratio = strip.as_made.tab_ratios(loaded)[index]
+                    known[alike] = lean_against(loaded, index, seats[key], ratio)
+                leans[key] = known[alike]
         first, second = (replace(plate, slots=_moved_slots(plate, leans, cures)) for plate in leaned)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
                     for pair in (leaned, (first, second)))  # fmt: skip
@@ -369,22 +379,6 @@ def _leaned(
         for plate in leaned
     )
     return (first, second), needed
-
-
-def _displacements(
-    ends: Sequence[tuple[Hashable, Strip, int, Key]], seats: Mapping[Key, TabSeat]
-) -> dict[Key, Lean]:
-    """Return the displacements of the holders of the `ends`: each is its cut, its strip, 0 or 1, and its tab."""
-    leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
-    for cut, strip, index, key in ends:
-        if key in seats:
-            alike = cut, index, seats[key].places
-            if alike not in known:
-                loaded = strip.as_made.loaded
-                ratio = strip.as_made.tab_ratios(loaded)[index]
-                known[alike] = lean_against(loaded, index, seats[key], ratio)
-            leans[key] = known[alike]
-    return leans
 
 
 def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple[TabSlot, ...]:
@@ -446,8 +440,7 @@ def _bends_too_far(plate: BasePlate, tab: PlacedTab, cures: Cures) -> InputError
 
 
 def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -> None:
-    short = [tab for tab in tabs_of(first) if tab.length < needed.get(tab.key, 0.0)]
-    if short:
+    if short := [tab for tab in tabs_of(first) if tab.length < needed.get(tab.key, 0.0)]:
         raise InputError(
             "{name}: the tab of {name_2} does not reach through the second plate: {cures}",
             name=first.name, name_2=short[0].name, cures=cures(up_to_tenth(max(needed.values()))),
@@ -503,18 +496,20 @@ def end_plates(
     [('ring-bottom', True), ('ring-top', True)]
     """
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
-    groups = (
-        [tuple(ring_options.ends)]
-        if together or len(ring_options.ends) == 1
-        else [(end,) for end in ring_options.ends]
+    ends, tabs_at = ring_options.ends, _tabs_at_ends(placed)
+    outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
+    upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
+    first, last = (
+        float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) if upright else 0.0 for end in ENDS
     )
-    tabs_at = _tabs_at_ends(placed)
-    called = _names_of_ends(ring_options.name, tabs_at)
-    names = [ring_options.name] if len(groups) == 1 else [called[end] for (end,) in groups]
-    refuse_other_ends(ring_options.holes, names)
+    called = end_names(ring_options.name, (first, last))
+    groups = [(called[end], [end]) for end in ends]
+    if together or len(ends) == 1:
+        groups = [(ring_options.name, [*ends])]
+    refuse_other_ends(ring_options.holes, [name for name, _ in groups])
     plates = tuple(
         _plate([tab for end in group for tab in tabs_at[end]], sheet, replace(ring_options, name=name))
-        for group, name in zip(groups, names, strict=True)
+        for name, group in groups
     )
     return plates if gap is None else add_second_plates(placed, plates, gap)
 
@@ -529,13 +524,6 @@ def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
     ordered = [pair[::-1] if turned else pair for pair, turned in zip(pairs, opposite, strict=True)]
     return {end: [pair[k] for pair in ordered] for k, end in enumerate(ENDS)}
-
-
-def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -> dict[StripEnd, str]:
-    outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
-    heights = [float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) for end in ENDS]
-    upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
-    return end_names(name, (heights[0], heights[1]) if upright else (0.0, 0.0))
 
 
 def _opposite(ends: FloatArray) -> BoolArray:
@@ -566,11 +554,11 @@ def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions)
     sides = [
         [tab for tab, upward in zip(tabs, is_upward, strict=True) if upward == side] for side in (False, True)
     ]
-    groups = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
+    groups = sorted(filter(None, sides), key=lambda side: min(tab.tip[2] for tab in side))
     words = ("bottom", "top") if abs(axes[0][2]) >= UPRIGHT_COSINE else ("low", "high")
-    called = (replace(options, name=f"{options.name}-{word}") for word in words)
     return tuple(
-        _plate(side, sheet, plate_options) for side, plate_options in zip(groups, called, strict=False)
+        _plate(side, sheet, replace(options, name=f"{options.name}-{word}"))
+        for side, word in zip(groups, words, strict=False)
     )
 
 

@@ -257,8 +257,8 @@ class BasePlate:
         """Return the note on a missing opening, or on a bridge without effect."""
         if self.opening is not None or any(map(is_window, self.holes)):
             return ()
-        holes = options.holes if options.holes is not None and options.holes.is_in(self.name) else None
-        if holes is not None and (holes.bridge or holes.bulb):
+        holes = options.holes
+        if holes is not None and holes.is_in(self.name) and (holes.bridge or holes.bulb):
             return (self._bridge_note(options, holes),) if holes.bridge else ()
         tabs, bridge = self.tab_loops, limits_or_default(options.shop).bridge_for(self.sheet)
         if not (self.is_round and tabs) or 2 * around(tabs, self._middle, bridge)[0] < LEAST_OPENING_MM:
@@ -483,16 +483,21 @@ def base_plate(
         Fields of `PlateOptions`: play, clearance, slot_width, border, shape, ends, name, shop, ignore_limits.
     """
     plate_options = options_by_name(PlateOptions, options, "a base plate")
-    name, ends, sheet = plate_options.name, plate_options.ends, Sheet.of(sheet)
+    name, sheet = plate_options.name, Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
-    require_ends(ends)
+    require_ends(plate_options.ends)
     refuse_other_ends(plate_options.holes, [name])
-    tabs = tabs_to_hold(placed, ends)
+    tabs = tabs_to_hold(placed, plate_options.ends)
     if not tabs:
         raise InputError("{name} holds no end of any strip: change its 'strips' or 'ends'", name=name)
-    standing = [tab for tab in tabs if _passes_through(tab, ground)]
+    heights = ground.local([[tab.frame.origin, tab.tip] for tab in tabs])[..., 2]
+    standing = [
+        tab
+        for tab, (start, tip) in zip(tabs, heights.tolist(), strict=True)
+        if start > -tab.thickness and tip < -1e-6
+    ]
     if not standing:
-        least = min(float(ground.local(tab.tip)[2]) for tab in tabs)
+        least = float(heights[:, 1].min())
         raise InputError(
             "{name}: no tab reaches down through the plate. The lowest tip is {least:.1f} above its upper face. "
             "Move the plate up by {up:.0f} ({height}), give the strips longer tabs, or hold ends that come from "
@@ -612,11 +617,6 @@ def rectangle_about(center: FloatArray, along: FloatArray, size: FloatArray) -> 
     return center + np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) @ sides
 
 
-def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
-    (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
-    return bool(start > -tab.thickness and tip < -1e-6)
-
-
 def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOptions) -> TabSlot:
     """Return the rectangular slot through which the tab passes."""
     down = -float(tab.frame.x_axis @ ground.z_axis)
@@ -654,17 +654,16 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> N
     corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
     boxes = boxes_about(corners)
     for i, j in np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1)).tolist():
-        if not _overlap(corners[i], corners[j]):
-            continue
-        raise InputError(
-            "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs."
-            if in_ring
-            else "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs, or move "
-            "the strips apart.",
-            name=name,
-            tabs=both_names(slots[j].name, slots[i].name),
-            place=Point((corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2),
-        )
+        if _overlap(corners[i], corners[j]):
+            raise InputError(
+                "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs."
+                if in_ring
+                else "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs, or "
+                "move the strips apart.",
+                name=name,
+                tabs=both_names(slots[j].name, slots[i].name),
+                place=Point((corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2),
+            )
 
 
 def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
@@ -829,7 +828,15 @@ def ring_plate(
     below = middle > height
     frame = _level_frame(height + (-0.5 if below else 0.5) * first.thickness, up=below)
     seats = [_seat_corners(tab, frame) for tab in tabs]
-    _refuse_meeting_seats(seats, len(tabs), name)
+    out = unit(seats[0].mean(axis=0))
+    along, across = seats[0] @ out, np.abs(seats[0] @ left_of(out))
+    if np.any(across >= along * np.tan(np.pi / len(tabs))):
+        raise InputError(
+            "{name}: neighbouring tabs overlap at a distance of {least} from the axis. End the strips at a "
+            "larger ring, or give them shorter or narrower tabs.",
+            name=name,
+            least=Mm(along.min()),
+        )
     holes = tuple(
         Path.circle(frame.local(tab.frame.point((hole.at, hole.across, 0.0)))[:2], hole.diameter / 2)
         for tab in tabs
@@ -871,19 +878,6 @@ def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
     return frame.local(tab.frame.point(corners))[:, :2]
-
-
-def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    seat = seats[0]
-    out = unit(seat.mean(axis=0))
-    along, across = seat @ out, np.abs(seat @ left_of(out))
-    if np.any(across >= along * np.tan(np.pi / count)):
-        raise InputError(
-            "{name}: neighbouring tabs overlap at a distance of {least} from the axis. End the strips at a "
-            "larger ring, or give them shorter or narrower tabs.",
-            name=name,
-            least=Mm(along.min()),
-        )
 
 
 def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:

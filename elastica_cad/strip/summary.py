@@ -97,7 +97,7 @@ def strip_rows(
         *_unloaded_rows(strip),
         *([Row(note("Accuracy"), LATER)] if quick else _slow_rows(strip, near)),
     ]
-    reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
+    reported = {*strip.strain_warnings, None if near is None else near.status.value}
     rows += [
         warning_row(text, note("Warning")) if is_reported(text) else Row(note("Note"), text)
         for text in strip.warnings
@@ -133,7 +133,7 @@ def size_row(strip: Strip) -> Row:
             length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
             mass=Mass(strip.mass),
         ),
-        (ratio, *([strip.backing_side] if strip.backing_side else [])),
+        (ratio, *filter(None, [strip.backing_side])),
     )  # fmt: skip
 
 
