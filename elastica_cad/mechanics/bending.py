@@ -33,6 +33,7 @@ from elastica_cad.mechanics.elements import (
     Pin,
     PlacedElement,
     PointForce,
+    Rail,
     Tie,
     lumped,
     require_elements,
@@ -261,7 +262,7 @@ def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
     if not elements:
         requested.supports.require_held()
     system = system_of(requested, rod, start, end, change.angles, force=change.force, moment=change.moment)
-    _refuse_pins_out_of_reach(elements, system)
+    _refuse_out_of_reach(elements, system)
     if isinstance(change.loads, str) and change.loads == "keep":
         return (_leg(requested, rod, system, change),)
     loaded = _with_loads(requested, change.loads)
@@ -326,11 +327,21 @@ def fixed_places(elements: Sequence[ElementForce], system: RodSystem) -> list[tu
     return sorted(held, key=lambda item: item[0])
 
 
-def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
+def _refuse_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
+    """Refuse places that hold the strip if the straight way from each to the next is longer than the strip."""
+    # the strip may stay away from a one-sided rail
+    rails = [
+        (action.s[0], action.mounting.point)
+        for action in sorted(elements, key=lambda action: float(action.s[0]))
+        if isinstance(action.element, Rail) and not action.is_one_sided
+    ]
     for (s, place), (next_s, next_place) in pairwise(fixed_places(elements, system)):
-        apart = float(norm(next_place - place))
+        over = [point for at, point in rails if s < at < next_s]
+        apart = float(norm(np.diff([place, *over, next_place], axis=0)).sum())
         if apart > (next_s - s) * (1 + MEETS_SHARE) + MEETS_SHARE * system.length:
             raise InputError(
+                "The strip must be at least {apart:.6g} long from {first} over the rails to {second}, but it is "
+                "only {length:.6g} long there. Move the rails or the ends closer." if over else
                 "The places {first} and {second} at which the strip is held are {apart:.6g} apart, but the strip "
                 "between them is only {length:.6g} long. Move the pin closer.",
                 first=Point(tuple(place)), second=Point(tuple(next_place)), apart=Length(apart),

@@ -467,7 +467,7 @@ def _left(segment: Segment, before: Visit, t: float, side: int | None) -> Event:
 def not_found(t: float) -> NotConvergedError:
     """Return the error that no equilibrium was found beyond the fraction t of a path."""
     return NotConvergedError(
-        "no equilibrium was found beyond {fraction:.1%} of the path from the present shape. Move the ends "
-        "in smaller steps, or give a guess closer to the result",
+        "no equilibrium was found beyond {fraction:.1%} of the path: the strip may be pulled tight between the "
+        "places that hold it. Move it less far, or give a guess closer to the result",
         fraction=t,
     )

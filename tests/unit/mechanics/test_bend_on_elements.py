@@ -290,6 +290,16 @@ def test_a_straight_strip_is_bent_while_something_holds_it(between, supports):
     assert bent.between[0].force.any() == isinstance(between, ec.Rail)
 
 
+def test_a_strip_that_would_be_pulled_tight_over_a_slot_is_refused():
+    arch = ec.bend(ec.Rod.straight(300.0, samples=101), end=(200, 0))
+    x, y = arch.position[50]
+    slot = ec.Rail((float(x), float(y)), one_sided=False)
+    assert np.hypot(x, y) + np.hypot(270 - x, y) > 300 > np.hypot(x, y) + np.hypot(215 - x, y)
+    with pytest.raises(InputError, match=r"must be at least 3.* over the rails to .* only 300 mm long"):
+        ec.bend(arch, end=(270, 0), between=slot)
+    assert ec.bend(arch, end=(215, 0), between=slot).between[0].size > 0
+
+
 @pytest.mark.parametrize(
     ("between", "supports"),
     [
