@@ -368,7 +368,7 @@ class Supports:
         def holds(supports: Supports) -> bool:
             return bool((supports.held >= self.held).all()) and not _free_motions(supports, between).any()
 
-        # an angle that is held also bends the rod
+        # prefer few held coordinates, and positions to angles, because an angle that is held also bends the rod
         pairs = sorted(product(names, names), key=lambda pair: Supports(*pair).held @ (1, 1, 1.5, 1, 1, 1.5))
         start, end = next(pair for pair in pairs if holds(Supports(*pair)))
         motions = note("move along x"), note("move along y"), note("turn")
@@ -705,7 +705,10 @@ class ExcessCurvature:
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
-        """Kinks of the natural curvature: parameter, arc length, mm, and number of continuous derivatives."""
+        """Kinks of the natural curvature, each (parameter, arc length in mm, number of continuous derivatives).
+
+        The number is 0 at a corner and -1 at a jump.
+        """
         if not isinstance(self.rest, RestCurvature):
             return ()
         s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
@@ -721,6 +724,7 @@ class ExcessCurvature:
         """Return the points at which curvature minus natural curvature equals `level`, 1/mm."""
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
+        # a kink with -1 continuous derivatives is a jump of the natural curvature
         breaks = [(t, order >= 0) for t, _, order in self.kinks]
         # the largest sum of |curvature| and |natural curvature| is the scale of rounding errors
         t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
