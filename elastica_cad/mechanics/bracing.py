@@ -171,6 +171,8 @@ def bracing_of(
     acting = [(forms, matrix) for _, forms, matrix in braces if matrix.any()]
     rows = np.concatenate([np.zeros((0, n + 2)), *(constraints for constraints, _, _ in braces)])
     terms = np.concatenate([np.zeros((0, n + 2)), *(forms for forms, _ in acting)])
+    # along axes that a support holds, the rod has no translation; solve as many constraints as possible for the
+    # translation along free axes, and insert it in the other constraints and in the terms
     if free.any():
         u, sigma, vt = np.linalg.svd(rows[:, n:][:, free])
         rank = int(np.count_nonzero(sigma > _RANK))

@@ -308,8 +308,8 @@ class CutCurve:
         `stations` are the arc lengths, mm, of forces between the ends.
         """
         excess = ExcessCurvature(check.curve, natural_curvature)
-        # kinks (parameter, arc length, continuous derivatives) of the natural curvature and of the law; those of the
-        # law are at both signs of the excess curvature
+        # kinks (parameter, arc length, continuous derivatives) of the natural curvature and of the law, which has
+        # its kinks at both signs of the excess curvature
         bend = [*excess.kinks] + [
             (place.t, place.s, continuity)
             for curvature, continuity in (() if law is None else law.kinks)
@@ -319,8 +319,8 @@ class CutCurve:
         zeros = np.array([zero.s for zero in check.zeros])
         # (arc length, continuous derivatives): the moment has a corner at a force, and so has the stiffness
         kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations)]
-        # the panel between a load and a zero close to it would be too narrow, so the load moves to the zero; if this
-        # zero is at an end, the load causes no kink
+        # the panel between a load and a zero close to it would be too narrow, so the load moves to the zero; at an
+        # end, it then causes no kink
         hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks if 0 < s < check.length]
         hung = [(s, c) for s, c in hung if 0 < s < check.length]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]

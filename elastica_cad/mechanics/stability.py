@@ -371,6 +371,7 @@ def stability(rod: Rod) -> Stability:
     started_from: Literal["start", "end"] | None = None
     place, s, value = None, np.zeros(0), np.zeros(0)
     if any(discrete.held_angles) and discrete.bracing is None:
+        # the conjugate point needs a held angle at the end that is not the starting point
         started_from = "start" if discrete.held_angles[1] else "end"
         counted = discrete if started_from == "start" else discrete.reversed()
         z = stability_determinant(counted)
@@ -379,6 +380,7 @@ def stability(rod: Rod) -> Stability:
         place = None if place is None else rod.length - place
         s, value = rod.length - s[::-1], value[::-1]
     turning = turning_nodes(discrete.supports)
+    # the mode is 0 at an end with a held angle
     nodal = np.pad(midpoints(margin.mode), 1)
     nodal[turning] = margin.mode[turning]
     return Stability(
