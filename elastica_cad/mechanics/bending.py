@@ -589,7 +589,7 @@ Place: TypeAlias = tuple[int, float]
 
 
 def places_of(legs: Sequence[Leg], steps: int) -> tuple[Place, ...]:
-    """Return the places of the shapes that are listed: `steps` in each leg; if these are more, the first too.
+    """Return the places of the shapes that are listed: `steps` in each leg and, if above 1, the start of the first.
 
     A straight rod is listed from its first bent shape on.
     """

@@ -455,6 +455,7 @@ def _place_of_extreme_ratio(
     along = line.direction
     turns = np.linspace(-spare, spare, 67)[1:-1] if spare > 0 else np.zeros(1)
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
+    # stiffness at each place (rows) for each line through the zero (columns)
     K = np.abs(arm @ normals.T)
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
     best = int(np.argmin(ratios))
@@ -544,6 +545,7 @@ def project_inflections(
     start, end = (t not in ends for t in curve.domain)
     places = EndPositions(place.start if start else None, place.end if end else None)
     turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
+    # without a solution, give up the end tangents, then also the end positions
     for held in ((places, turns), (places,), ()):
         try:
             moved, _ = least_norm_newton(curve, [*needed, *held], tolerance=1e-12, max_steps=MOST_STEPS)

@@ -415,6 +415,7 @@ _LEAST_HOLD = 1e-6
 
 def _free_motions(supports: Supports, between: Sequence[Sequence[float]]) -> FloatArray:
     """Return how freely (3,) the whole rod moves along x, along y and turns: 1 freely, 0 not at all."""
+    # the part of each unit motion that is not in the span of the reactions
     reactions = np.vstack([_REACTIONS[supports.held], *between])
     free = 1 - np.einsum("ij,ji->i", np.linalg.pinv(reactions, rcond=_LEAST_HOLD), reactions)
     return np.where(free > _LEAST_HOLD, free, 0.0)

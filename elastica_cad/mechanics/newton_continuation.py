@@ -341,6 +341,7 @@ def must_shorten(state: RodState) -> bool:
     rows = state.discrete.constraint_rows
     normal = rows @ rows.T
     size = system.edge_length**2 * system.edges
+    # small rotations of the edges move an end only across the rod; errors that they can remove require no bend
     across = np.zeros_like(miss)
     if np.abs(normal).max() > 1e-12 * size:
         across += np.linalg.lstsq(normal, miss, rcond=1e-9)[0]

@@ -112,7 +112,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     there: dict[str, Any] = {}
     parameters, margins, load = list[float](), list[float](), 1.0
     for k, entry in enumerate(entries):
-        there |= entry
+        there |= entry  # values that an entry does not contain stay as they are
         segment, visit = segment_to(_loaded(base, there), rod, _system(base, there))
         first, to = first_visit(segment, visit, side)
         if isinstance(first, Event):
