@@ -281,6 +281,7 @@ def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
 
 def _with_loads(rod: Rod, loads: object) -> Rod:
     plain = None if rod.weight is None else replace(rod.weight, masses=())
+    # loads in newtons also need the weight of the strip in newtons
     if plain is None and rod.gravity is not None and rod.bending_stiffness is not None:
         plain = Weight(beta=rod.bending_stiffness / rod.gravity.length**3)
     weight, forces = weight_with_loads(plain, rod.gravity, loads)

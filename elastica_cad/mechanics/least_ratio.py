@@ -809,7 +809,7 @@ def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: 
             "the stiffness of the laminate cannot vary as much as the curve requires under this weight: use "
             "a thicker backing, or lighter sheets"
         ) from error
-    return replace(rod, section=None)
+    return replace(rod, section=None)  # the laminate itself describes the layers
 
 
 def _along(width: float | Profile, s: FloatArray) -> FloatArray:

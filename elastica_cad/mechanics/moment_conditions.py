@@ -522,7 +522,8 @@ class BalancedStiffness:
     bending_stiffness, weight
         Least bending stiffness B, N mm2, and the weight of a strip with this B; None if not computed.
     kinks : sequence of (s, continuity)
-        Arc lengths s, mm, at which the load or the material law makes K less smooth than the curve.
+        Arc lengths s, mm, at which loads, material law or natural curvature make K less smooth than the curve,
+        each with the number of continuous derivatives of K.
     between : tuple of ElementForce
         Rails, pins and ties with their forces, 1/mm2.
     """
@@ -734,7 +735,7 @@ class ConditionedRows:
         return self._states(basis, np.zeros(self.scale.size), sides)
 
     def _states(self, basis: FloatArray, fixed: FloatArray, sides: IntArray) -> StateFamily:
-        """Return the stiffnesses for the unknowns fixed + basis @ y, of which `sides` must be 0 or more."""
+        """Return the stiffnesses for the unknowns fixed + basis @ y. Those with indices `sides` are 0 or more."""
         conditions = (np.column_stack([basis, fixed]) / self.scale[:, None])[sides]
         K, offset = self.rows.stiffness @ basis, self.rows.stiffness @ fixed
         return StateFamily(StiffnessFamily.through(self.panels, K, offset, conditions), basis, fixed)

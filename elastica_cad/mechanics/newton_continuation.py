@@ -154,6 +154,7 @@ def follow(state: RodState) -> Reached:
 
 
 def _polish(state: RodState) -> RodState:
+    # Newton steps as long as each at least halves the error
     size = _relative_error(state, state.residual)
     for _ in range(6):
         if size == 0:

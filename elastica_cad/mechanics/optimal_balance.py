@@ -140,7 +140,11 @@ def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -
 
 @dataclass(frozen=True, eq=False)
 class WeightedPanels:
-    """Curve cut into panels, with the weight of a rod on this curve."""
+    """Curve cut into panels, with the weight of a rod on this curve.
+
+    `gravity` and `weight` are those of `optimal_rod`. Without `weight`, the weight is proportional to the
+    stiffness.
+    """
 
     request: RodRequest
     panels: Panels

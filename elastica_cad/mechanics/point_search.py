@@ -197,6 +197,7 @@ class _Move:
 
     def at(self, share: float) -> PlaneCurve:
         points = self.curve.control_points.copy()
+        # round to a power of ten, so that the coordinates have few digits
         unit = 10 ** np.floor(np.log10(ROUNDING * self.curve.length))
         points[self.index] = np.round((points[self.index] + share * self.step) / unit) * unit
         return self.curve.with_control_points(points)

@@ -47,6 +47,7 @@ ROUGH_AT_ZERO = 2
 STEP_LENGTH = 1e-5
 """Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
 
+# distances of the nodes from the left end of a panel, in half widths of the panel
 FROM_LEFT = 1 + NODES
 
 

@@ -205,6 +205,7 @@ def built_in_titles() -> Mapping[str, Refusal]:
 
 @lru_cache(maxsize=1)
 def _built_in() -> tuple[tuple[str, dict[str, Any], Refusal], ...]:
+    # (name, attributes of `Sheet` without the name, title) of each sheet
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")

@@ -34,7 +34,7 @@ class Determinant:
         where Z has a zero of high order.
     fields : (n+2, 1+p) array
         Solutions zeta, eta_1, .. eta_p of the Jacobi equation on the edges, with a fictitious edge before the first
-        and after the last edge.
+        and after the last edge. There are p coordinates that both ends hold.
     integrals : (n, p, 1+p) array
         Integrals M_i and N_ij of the paper up to the end of each edge.
     """
@@ -393,6 +393,7 @@ def stability(rod: Rod) -> Stability:
 def _safe_margin(rod: DiscreteRod) -> float:
     if rod.bracing is not None or not 0 < rod.margin.value < SAFE_MARGIN:
         return SAFE_MARGIN
+    # the margin of the straight rod matters only in this case; see `Stability.safe`
     chord = rod.position[-1] - rod.position[0]
     straight = replace(rod, angles=np.full(rod.angles.size, angle_of(chord)), force=np.zeros_like(rod.force))
     return min(SAFE_MARGIN, UNLOADED_SHARE * straight.margin.value)

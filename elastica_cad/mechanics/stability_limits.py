@@ -171,6 +171,7 @@ def _system(rod: Rod, entry: Mapping[str, Any]) -> RodSystem:
 
 
 def _entries(path: Any) -> list[dict[str, Any]]:
+    # each entry of the path as keywords of `bend`, with the load factor as "load"
     if isinstance(path, Sequence) and path and all(isinstance(entry, Mapping) for entry in path):
         if any("supports" in entry for entry in path):
             raise InputError(

@@ -631,6 +631,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
+    # make the first and the last control point exactly equal
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):

@@ -131,6 +131,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
+    # the law, and its effect of bending, of a strip that bends as a plate
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor
