@@ -94,6 +94,7 @@ class _Edges:
         The columns are the m angles and strains, and the translation of the whole rod.
         """
         held = self.supports.held
+        # a coordinate that only the end holds is measured from there
         from_end = held[3:5] & ~held[:2]
         return np.concatenate([self.moves_with(self.covered(s) - from_end[:, None]), np.eye(2)], axis=1)
 

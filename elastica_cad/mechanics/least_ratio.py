@@ -459,6 +459,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
             "a straight vertical strip hangs straight with any stiffness: set its `bending_stiffness`"
         )
     load = rod.nodal_load
+    # the end carries the whole weight if it is held, or else the start
     force = nodal_forces(edge_forces(load[0], load), load)
     lower = request.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))

@@ -778,6 +778,7 @@ class ConditionedRows:
             return state
         table = PanelFunction.through(self.rows.stiffness)
         rows = table.dense if self.places is None else table.at(*self.places)
+        # the optimal stiffness, and the stiffness under a constant moment, which may have the same ratio
         K, steady = rows @ state, np.abs(rows[:, 0])
         if steady.max() * K.min() <= (1 + NO_GAIN_SHARE) * K.max() * steady.min():
             return np.asarray(np.sign(rows[0, 0]) * np.eye(state.size)[0])

@@ -221,6 +221,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
     _require_fixed_weight(problem, weight)
+    # least ratio for tau = 0 (`light`), and over all tau (`heavy`); row 3 of the basis is tau
     light, numbers = problem.ratio(problem.homogeneous(loaded=False)), problem.homogeneous(loaded=True)
     heavy = problem.ratio(numbers)
     if heavy is None:

@@ -644,6 +644,7 @@ class Flexure:
         ):
             place = Frame(middle.point(position), (*outward, 0.0), (*left_of(outward), 0.0))
             joints[str(name)] = place
+            # from start to end, the outer hole of the start pad is the first
             holes += [
                 turned(Frame(middle.point(at), place.x_axis, place.y_axis), sign) for at in near[::sign]
             ]

@@ -355,6 +355,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
     K = rows_of(paired.stiffness_rows)
     M = np.concatenate([size * rows_of(moment) for moment in paired.moments])
+    # scale the unknowns, of which some change only the moments
     scale = np.abs(K).max(axis=0)
     scale = np.where(scale > 1e-12 * scale.max(), scale, np.abs(M).max(axis=0))
     K, M = K / scale, M / scale
