@@ -276,12 +276,13 @@ def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
             loaded = replace(loaded, between=bent.between)
             return first, _leg(loaded, bent, at_end, Change(), loads=loads)
         except (InputError, NotConvergedError):
-            pass
+            pass  # the rod does not stand without its new loads
     return (_leg(loaded, rod, at_end, change, loads=loads, together=moves),)
 
 
 def _with_loads(rod: Rod, loads: object) -> Rod:
     plain = None if rod.weight is None else replace(rod.weight, masses=())
+    # loads in newtons also need the weight of the strip in newtons
     if plain is None and rod.gravity is not None and rod.bending_stiffness is not None:
         plain = Weight(beta=rod.bending_stiffness / rod.gravity.length**3)
     weight, forces = weight_with_loads(plain, rod.gravity, loads)
@@ -456,6 +457,7 @@ def first_visit(
 ) -> tuple[Visit | Event, int | None]:
     """Return the first equilibrium of a path, and the side to which a straight rod buckles on the way."""
     final, state = segment.last, visit.state
+    # True if the ends are as far apart as the rod is long, so that it must be straight
     long = bool(final.held) and np.linalg.norm(final.chord) > final.length * (1 - 1e-12)
     if not (long or is_straight(state)):
         return segment.at_rest(0.0 if segment.changes else 1.0, state, visit), side
@@ -463,6 +465,7 @@ def first_visit(
     if arched is not None:
         guess = segment.system(FIRST_SHARE, visit.elements, visit.taut).state(arched)
         return segment.at_rest(FIRST_SHARE, _with_reactions(guess), visit), side
+    # a straight rod whose ends do not approach each other need not buckle
     if not (long or mode > 1 or must_shorten(state.under(final))):
         return segment.at_rest(0.0, state, visit), side
     a, b = final.held_angles
@@ -470,7 +473,7 @@ def first_visit(
     # if the held end angles differ much, the sign of the difference determines the default side
     side = side or (-int(np.sign(turn)) if abs(turn) > 0.5 else 1)
     found: list[Visit | Event] = []
-    # a hand holds the rod on this side until it stays there
+    # near the start of the path, the rod may be unstable on this side, so begin at a later place then
     for t in (1.0,) if long or mode > 1 else (FIRST_SHARE, 0.1, 0.4, 1.0):
         plain = segment.system(t, visit.elements, [False] * len(visit.elements))
         reached = reach(plain.state(state.angles, state.reactions[: len(plain.held)]), side, mode)
@@ -526,12 +529,15 @@ def _warnings(rod: Rod) -> tuple[str, ...]:
 
 
 def has_snapped(rod: Rod) -> bool:
-    """Return True if `bend` warned that the rod snapped into another shape."""
+    """Return True if `bend` warned that the rod snapped, or buckled to one of two equal sides."""
     return snap_percent(rod) is not None
 
 
 def snap_percent(rod: Rod) -> float | None:
-    """Return the percentage of the movement, or of the new loads, at which the rod snapped, or None."""
+    """Return the percentage of the movement, or of the new loads, at which the rod snapped or buckled, or None.
+
+    Only the warnings of these events have a value `percent`.
+    """
     notes = (message for message in rod.warnings if isinstance(message, Refusal))
     return next((float(one.values["percent"]) for one in notes if "percent" in one.values), None)
 
@@ -595,7 +601,7 @@ Place: TypeAlias = tuple[int, float]
 
 
 def places_of(legs: Sequence[Leg], steps: int) -> tuple[Place, ...]:
-    """Return the places of the shapes that are listed: `steps` in each leg; if these are more, the first too.
+    """Return the places of the shapes that are listed: `steps` in each leg and, if above 1, the start of the first.
 
     A straight rod is listed from its first bent shape on.
     """
@@ -681,6 +687,7 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as the first state on the way to an equilibrium of `system`."""
     if system.actions:
         return _with_reactions(system.state(rod.discrete.angles))
+    # the reactions are the part of the edge forces that the loads do not explain, the same for all edges
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
@@ -801,6 +808,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     if acting:
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
+    # coordinates (2,) that neither the present nor the new support holds, at the start and at the end
     at_start, at_end = ~(supports.held | present.supports.held).reshape(2, 3)[:, :2]
     # the applied force is the edge force at the first node, and the negative edge force at the last node
     forces = np.where(at_end, -at_ends[1], np.where(at_start, at_ends[0], 0.0))
@@ -811,6 +819,7 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     free = [not end.angle for end in supports.ends]
     moments = np.zeros(2)
     if moment is None:
+        # a counterclockwise moment at the start bends the rod to the right, so M changes its sign
         return np.where(
             (supports.held | present.supports.held)[[2, 5]], 0.0, present.moment[[0, -1]] * (-1.0, 1.0)
         )

@@ -94,6 +94,7 @@ class _Edges:
         The columns are the m angles and strains, and the translation of the whole rod.
         """
         held = self.supports.held
+        # a coordinate that only the end holds is measured from there
         from_end = held[3:5] & ~held[:2]
         return np.concatenate([self.moves_with(self.covered(s) - from_end[:, None]), np.eye(2)], axis=1)
 
@@ -171,6 +172,8 @@ def bracing_of(
     acting = [(forms, matrix) for _, forms, matrix in braces if matrix.any()]
     rows = np.concatenate([np.zeros((0, n + 2)), *(constraints for constraints, _, _ in braces)])
     terms = np.concatenate([np.zeros((0, n + 2)), *(forms for forms, _ in acting)])
+    # along axes that a support holds, the rod has no translation; solve as many constraints as possible for the
+    # translation along free axes, and insert it in the other constraints and in the terms
     if free.any():
         u, sigma, vt = np.linalg.svd(rows[:, n:][:, free])
         rank = int(np.count_nonzero(sigma > _RANK))

@@ -249,6 +249,7 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
+    # the length is L G(d / L) for overhang L and droop d, with the derivatives G - (d / L) G1 and G1
     G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
     return value, float(np.hypot(G1, value / overhang - part * G1))
 

@@ -32,7 +32,7 @@ def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) 
     if diagonal.size == 1:
         return np.asarray(right / diagonal[0])
     solution, info = lapack().dgtsv(off, diagonal, off, right)[-2:]
-    if info != 0:
+    if info != 0:  # the matrix is singular: change it by a rounding error
         nudge = np.spacing(np.abs(diagonal).max())
         solution, info = lapack().dgtsv(off, diagonal + nudge, off, right)[-2:]
     if info != 0:
@@ -73,6 +73,7 @@ def solve_bordered(
     both = np.empty((right.size, k + 1), order="F")
     both[:, 0] = right
     both[:, 1:] = rows.T
+    # x = A^-1 right - A^-1 rows.T y, inserted in the last rows of the system
     solved = solve_tridiagonal(diagonal, off, both).T
     products = rows @ solved.T
     y = np.linalg.lstsq(products[:, 1:] - corner, products[:, 0] - below, rcond=1e-14)[0]
@@ -87,7 +88,7 @@ def orthonormal_rows(rows: FloatArray) -> FloatArray:
         if size == 0:
             continue
         rest = row / size
-        for _ in range(2):
+        for _ in range(2):  # the second time removes rounding errors
             for q in basis:
                 rest = rest - q.dot(rest) * q
         remainder = float(np.linalg.norm(rest))
@@ -103,6 +104,8 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
     reach = _reach(diagonal, off)
     if shift < -reach:
         return 0
+    # range 1 means the eigenvalues in (lower limit, shift]; only their number is needed, so the tolerance is wider
+    # than this interval
     count, _, _, _, info = lapack().dstebz(
         diagonal, off, 1, -2 * reach - 1, shift, 1, 1, 8 * reach + 8 + abs(shift), b"E"
     )
@@ -236,6 +239,7 @@ def largest_of_inverse(
         return x - basis.T @ (basis @ x)
 
     # ARPACK is not used, because its package is slow to load and its calls wake threads of BLAS
+    # diagonal and off-diagonal of the Lanczos matrix, and its vectors; the newest `beyond` also bounds the errors
     along: list[float] = []
     beyond: list[float] = []
     steps = np.empty((0, n))
@@ -245,14 +249,14 @@ def largest_of_inverse(
         steps = np.vstack([steps, x / np.linalg.norm(x)])
         x = inverse(steps[-1])
         along.append(float(steps[-1] @ x))
-        for _ in range(2):
+        for _ in range(2):  # the second time removes rounding errors
             x = x - (steps @ x) @ steps
         theta, shares, _ = lapack().dstev(along, beyond or along)
         beyond.append(float(np.linalg.norm(x)))
         errors = beyond[-1] * np.abs(shares[-1, -count:])
         settled = len(steps) >= count and not errors.max() > _EPS * theta[-1]
         if settled or len(steps) == n - len(basis):
-            return theta[: -count - 1 : -1], shares.T[: -count - 1 : -1] @ steps
+            return theta[: -count - 1 : -1], shares.T[: -count - 1 : -1] @ steps  # the largest first
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
@@ -284,7 +288,16 @@ def lowest_weighted(
 ) -> tuple[float, FloatArray, FloatArray]:
     """Return the lowest mode v of a tridiagonal matrix A with weights W = `lengths`, subject to `rows` @ v = 0.
 
-    The mode is scaled to v^t W v = 1, and its largest entry is positive. `terms` are added to A.
+    `terms` are added to A.
+
+    Returns
+    -------
+    value : float
+        Eigenvalue mu in A v = mu W v + rows^t nu.
+    mode : (n,) array
+        Mode v, scaled to v^t W v = 1. Its entry of largest absolute value is positive.
+    multipliers : (k,) array
+        Multipliers nu of the constraints `rows` (k, n).
     """
     # compiled code searches for the lowest mode of rods with enough edges
     if _native.compiled is not None and diagonal.size >= 40 and terms is None and len(rows) <= 2:
@@ -296,6 +309,7 @@ def lowest_weighted(
     values, vectors = lowest_constrained(
         diagonal / lengths, off / (root[:-1] * root[1:]), rows / root, terms=scaled
     )
+    # the search was for root * v, whose weights are 1
     v = vectors[0] / root
     v = v if v[np.abs(v).argmax()] > 0 else -v
     if not len(rows):
@@ -312,11 +326,13 @@ def lowest_weighted(
 
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
+    # orthonormal trial modes (n, _SMOOTH): polynomials of the edge number
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.linalg.qr(powers)[0]
 
 
 def _reach(diagonal: FloatArray, off: FloatArray) -> float:
+    # bound of the absolute eigenvalues of a tridiagonal matrix (Gershgorin)
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
@@ -412,7 +428,7 @@ def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float |
 
 
 def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
-    """Return the forces lambda of all edges (n, 2), 1/mm2, from the first edge's force and the nodal loads.
+    """Return the forces lambda of all edges (n, 2), 1/mm2, from the first edge's force (2,) and loads (n+1, 2).
 
     Lambda is the negative internal force, with lambda_{i+1} = lambda_i + q_i for the nodal load q_i. The weight is
     q_i = -w_i K_i e, with Voronoi length w_i, stiffness K_i and a vector e against gravity.
@@ -704,7 +720,7 @@ class DiscreteRod:
         lengths = self.edge_lengths
         diagonal, off, rows = self._second_variation
         value, mode, multipliers = lowest_weighted(diagonal, off, lengths, *self._braced(rows))
-        nu = np.zeros(2)
+        nu = np.zeros(2)  # the rows of the held coordinates are first, then those of the bracing
         if self.compression is None:
             nu[list(self.held)] = multipliers[: len(self.held)]
         return Margin(value * float(lengths.sum()) ** 2, mode, nu)
@@ -728,6 +744,7 @@ class DiscreteRod:
 
     @property
     def _second_variation(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        # diagonal and off-diagonal of `hessian`, and `constraint_rows`
         if _native.compiled is None or self.compression is not None:
             return *self.hessian, self.constraint_rows
         start, end = self.held_angles
@@ -742,7 +759,7 @@ class DiscreteRod:
         For an axially elastic rod, terms replace the constraints.
         """
         brace, terms = self._brace, None
-        if self.compression is not None:
+        if self.compression is not None:  # n columns for the angles, and n for the strains
             rows = np.concatenate([rows, self.edge_length * self.directions.T[list(self.held)]], axis=1)
         if brace is not None:
             rows = np.concatenate([rows, brace.rows])
@@ -773,7 +790,7 @@ class DiscreteRod:
         return moments[:-1] - moments[1:] + self.edge_length * self.shear
 
     def reversed(self) -> "DiscreteRod":
-        """Return the same rod with its nodes numbered from the other end."""
+        """Return the rod with its nodes numbered from the other end, without bracing and axial elasticity."""
         force = np.broadcast_to(self.force, self.tangents.shape)
         return DiscreteRod(
             self.stiffness[::-1], self.angles[::-1] + np.pi, -force[::-1], self.edge_lengths[::-1],

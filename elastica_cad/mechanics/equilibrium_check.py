@@ -122,11 +122,13 @@ def examine(
     """
 
     def judge(fit: PlaneCurve) -> EquilibriumCheck:
+        # tails exist only beside rails, pins, ties or forces, so no line is needed, and only without pre-bending
         tails = find_free_tails(fit, supports, natural_curvature, stations)
         if tails:
             straight, moved, reasons = straightened(fit, tails, tolerance * fit.length)
             check = examine_curvature(straight, supports, tails=[tail.end for tail in tails])
             check = replace(check, moved=moved)
+            # the reasons about tails replace those of the straightened curve, which the user has not drawn
             return replace(check, realizable=False, reasons=reasons) if reasons else check
         check = examine_curvature(fit, supports, natural_curvature)
         check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
@@ -249,6 +251,7 @@ def _check_line(
             places=lengths(z.s for z in check.zeros),
         )
         return refused(check, reason)
+    # if only one component of the force is possible, the line of zero moment is parallel to this component
     normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
     if len(check.zeros) == 1 and normal is None:
         return _with_one_zero(check, natural_curvature)
@@ -291,6 +294,7 @@ def _with_line(
     largest, allowed = float(np.abs(distance).max()), tolerance * check.length
     if largest > allowed:
         return refused(check, _off_line_reason(check, normal, allowed))
+    # move inflections that are off the line by more than rounding errors, and ends that are not exactly unbent
     meant = largest > 1e-10 * check.length or _ends_keep_bend(check, natural_curvature)
     if meant and check.realizable:
         moved = _moved_onto(line, check, supports, natural_curvature)
@@ -394,20 +398,27 @@ def _line_meetings(
 
     The moment is zero on the line. Moment and curvature must have equal signs on the whole curve, or opposite
     signs on the whole curve.
+
+    The kinds are "crossing" (the signs differ beyond this place), "touch" (the line meets the curve away from an
+    inflection without crossing it, or along a piece) and "tangent" (at an inflection).
     """
     # points that are closer together are the same inflection
     near = 1e-6 * curve.length
     bad = dict[str, set[float]](crossing=set(), touch=set(), tangent=set())
     tangent = curve.evaluate([z.t for z in zeros], 1).reshape(-1, 2)
     sine = tangent @ line.b / norm(tangent)
+    # positive if distance from the line and curvature have equal signs after the zero; at the end of the curve, the
+    # sign after the zero is the opposite of the sign before
     turned = np.array([(z.after or -z.before) for z in zeros]) * sine
     majority = 1.0 if (turned > 0).sum() * 2 >= turned.size else -1.0
     for zero, rate, turn in zip(zeros, sine, turned, strict=True):
         if abs(rate) < _TANGENT_RAD:
             bad["tangent"].add(zero.s)
         elif turn * majority < 0:
+            # the signs agree after most zeros but differ after this zero, or vice versa
             bad["crossing"].add(zero.s)
     places = np.array([z.s for z in zeros])
+    # the line may meet the curve only at the zeros
     for meeting in line_crossings(curve, line.a, line.b):
         if meeting.kind == "flat":
             bad["touch"].add(meeting.s)
@@ -444,6 +455,7 @@ def _place_of_extreme_ratio(
     along = line.direction
     turns = np.linspace(-spare, spare, 67)[1:-1] if spare > 0 else np.zeros(1)
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
+    # stiffness at each place (rows) for each line through the zero (columns)
     K = np.abs(arm @ normals.T)
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
     best = int(np.argmin(ratios))
@@ -533,6 +545,7 @@ def project_inflections(
     start, end = (t not in ends for t in curve.domain)
     places = EndPositions(place.start if start else None, place.end if end else None)
     turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
+    # without a solution, give up the end tangents, then also the end positions
     for held in ((places, turns), (places,), ()):
         try:
             moved, _ = least_norm_newton(curve, [*needed, *held], tolerance=1e-12, max_steps=MOST_STEPS)

@@ -96,7 +96,11 @@ class Visit:
 
     @property
     def changed(self) -> tuple[bool, ...] | None:
-        """`taut` with the flag changed that contradicts gaps, or else forces, most, or None if no flag does."""
+        """`taut` with one wrong flag changed, or None if no flag is wrong.
+
+        The flag is that of the slack rail or tie that the strip passes farthest, or else that of the taut rail or
+        tie with the largest force in a direction that it cannot exert.
+        """
         shape = shape_of(self.state)
         pairs = zip(self.elements, self.taut, strict=True)
         wrong = np.array([wrong_force(action, shape) if taut else 0.0 for action, taut in pairs])
@@ -352,7 +356,7 @@ def followed(
         events.append(first)
         first = _landed(first)
     visit, visits = first, [first]
-    # while `near`, a fault is known at twice the step
+    # while `near`, a fault is known within twice the step, and each step halves this distance
     step, near = 1.0 - visit.t, False
     while visit.t < 1.0:
         goal = min(visit.t + step, 1.0)
@@ -377,7 +381,7 @@ def followed(
                 raise not_found(goal)
             visit, step, near = after, FIRST_STEP, False
         visits.append(visit)
-        if near and step < LOCATED_SHARE:
+        if near and step < LOCATED_SHARE:  # the next step contains the fault and is short enough for an event
             step, near = 2 * step, False
     return FollowedPath(segment, tuple(visits), tuple(events))
 
@@ -441,11 +445,12 @@ def _left(segment: Segment, before: Visit, t: float, side: int | None) -> Event:
     push = Step(PUSH_RAD * mode / np.abs(mode).max(), np.zeros_like(before.state.reactions))
     later = near.state.under(segment.system(min(near.t + FIRST_STEP, 1.0), near.elements, near.taut))
     response = newton_step(later, later.residual).angles
+    # cosine of the angle between response and mode: almost 1 or -1 where a branch ends
     lean = float(mode @ response / max(np.linalg.norm(mode) * np.linalg.norm(response), ROUNDED_RAD))
     buckles = t == before.t or abs(lean) < 0.5
-    if t == before.t:  # unstable from the start
+    if t == before.t:  # unstable from the start: the rod moves against the gradient of the energy
         lean = -float(mode @ later.residual.imbalance) / later.scale
-    left = 1.0 if first_bulge(mode) > 0 else -1.0
+    left = 1.0 if first_bulge(mode) > 0 else -1.0  # sign with which the mode bulges to the left first
     # if the change of loads and ends does not decide, the rod moves to the left
     decided = abs(lean) > (1e-9 if t == before.t else 0.5)
     first = side * left if side and buckles else float(np.sign(lean)) if decided else left

@@ -294,6 +294,7 @@ def laminate_factor(
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
     # unknowns are deflection and strain divided by the change of curvature, finite even if this change is 0
     unknowns = 4 * PIECES + 3
+    # indices of the 5 unknowns of each element: deflection and slope at both ends, and eps_0, which all share
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
     )
@@ -304,6 +305,7 @@ def laminate_factor(
         ([base], (b1 - b2) / 2, columns[PIECES:]),
     ):
         form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)
+        # strain along the strip, and lever arm of the force along it, for a unit value of each of the 5 unknowns
         w, lever = (np.insert(w * by[:, None, None], 4, 1.0, axis=1) for by in (kappa, kappa - rest))
         curl = np.insert(curl, 4, 0.0, axis=1)
         w_by, curl_by = w * weight[:, None], curl * weight[:, None]

@@ -111,6 +111,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     breaks: list[tuple[float, int]] = []
     steps: list[float] = []
     for s, order in (*balance.kinks, *((knot.s, knot.continuity - 2) for knot in curve.breaks)):
+        # a knot ends a panel beyond this distance from a zero, as in `cut_into_panels`
         near = NARROWEST_SHARE if order > ROUGH_AT_ZERO - 2 else SAME_PLACE_SHARE
         at_zero = zeros.size > 0 and np.abs(zeros - s).min() < near * length
         if order - int(at_zero) >= 0:
@@ -119,6 +120,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
             steps.append(s)
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
+    # a ramp begins and ends at its feet
     feet = [s + side * half for s in steps for side in (-1, 1)]
     # fit the ramps of jumps separately, because they would spoil the fit beside them
     breaks += [(s, -1) for s in feet]
@@ -457,6 +459,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
             "a straight vertical strip hangs straight with any stiffness: set its `bending_stiffness`"
         )
     load = rod.nodal_load
+    # the end carries the whole weight if it is held, or else the start
     force = nodal_forces(edge_forces(load[0], load), load)
     lower = request.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
@@ -807,7 +810,7 @@ def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: 
             "the stiffness of the laminate cannot vary as much as the curve requires under this weight: use "
             "a thicker backing, or lighter sheets"
         ) from error
-    return replace(rod, section=None)
+    return replace(rod, section=None)  # the laminate itself describes the layers
 
 
 def _along(width: float | Profile, s: FloatArray) -> FloatArray:

@@ -368,7 +368,7 @@ class Supports:
         def holds(supports: Supports) -> bool:
             return bool((supports.held >= self.held).all()) and not _free_motions(supports, between).any()
 
-        # an angle that is held also bends the rod
+        # prefer few held coordinates, and positions to angles, because an angle that is held also bends the rod
         pairs = sorted(product(names, names), key=lambda pair: Supports(*pair).held @ (1, 1, 1.5, 1, 1, 1.5))
         start, end = next(pair for pair in pairs if holds(Supports(*pair)))
         motions = note("move along x"), note("move along y"), note("turn")
@@ -415,6 +415,7 @@ _LEAST_HOLD = 1e-6
 
 def _free_motions(supports: Supports, between: Sequence[Sequence[float]]) -> FloatArray:
     """Return how freely (3,) the whole rod moves along x, along y and turns: 1 freely, 0 not at all."""
+    # the part of each unit motion that is not in the span of the reactions
     reactions = np.vstack([_REACTIONS[supports.held], *between])
     free = 1 - np.einsum("ij,ji->i", np.linalg.pinv(reactions, rcond=_LEAST_HOLD), reactions)
     return np.where(free > _LEAST_HOLD, free, 0.0)
@@ -705,7 +706,10 @@ class ExcessCurvature:
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
-        """Kinks of the natural curvature: parameter, arc length, mm, and number of continuous derivatives."""
+        """Kinks of the natural curvature, each (parameter, arc length in mm, number of continuous derivatives).
+
+        The number is 0 at a corner and -1 at a jump.
+        """
         if not isinstance(self.rest, RestCurvature):
             return ()
         s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
@@ -721,6 +725,7 @@ class ExcessCurvature:
         """Return the points at which curvature minus natural curvature equals `level`, 1/mm."""
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
+        # a kink with -1 continuous derivatives is a jump of the natural curvature
         breaks = [(t, order >= 0) for t, _, order in self.kinks]
         # the largest sum of |curvature| and |natural curvature| is the scale of rounding errors
         t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)

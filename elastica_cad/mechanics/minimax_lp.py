@@ -125,6 +125,7 @@ def minimax_ratio(
         before, new = new, [int(values.argmin()), int(values.argmax())]
         least, largest = values[new].tolist()
         holds = least >= 1 - METHOD.feasible and largest <= ratio + METHOD.feasible * max(1.0, ratio)
+        # if the worst samples are already in the program, only rounding errors remain
         if step == 1 or holds or new == before:
             return MinimaxSolution(x, max(ratio, largest), values)
     raise unsettled(ratio)
@@ -216,10 +217,11 @@ class MinimaxProgram:
             if vertex[-1] > self.most:
                 return np.asarray(vertex)
             excess = self.rows.dot(vertex) - self.limits
-            if vertex[-1] > 1:
+            if vertex[-1] > 1:  # violations of conditions that contain R are relative to R
                 excess /= 1 + self.rows[:, -1] * (vertex[-1] - 1)
             worst = int(excess.argmin())
             if excess[worst] >= -METHOD.feasible:
+                # at a bound -METHOD.box or METHOD.box of an unknown, the program is unbounded
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
             # coefficients of the active conditions in the new condition (`parts`) and in R (`share`)
@@ -329,6 +331,7 @@ def least_variation(
     basis, terms = _conditioned(rows), len(bends)
     planes = np.concatenate([bends, rows, -rows, side_rows]) @ basis
     limits = np.concatenate([bend_offset, offset - 1, largest - offset, side_offset])
+    # scale conditions to norm 1, and all terms by the same number
     size = np.linalg.norm(planes, axis=1)
     size[:terms] = size[:terms].max()
     size[size == 0] = 1.0
@@ -348,7 +351,7 @@ def least_variation(
         slopes = np.sign(values[:terms]) @ planes[:terms] @ edges
         # slopes of the objective along both directions of each edge
         changes = np.array([slopes, -slopes]) + ((active >= 0) & (active < terms))
-        changes[1, active >= terms] = np.inf
+        changes[1, active >= terms] = np.inf  # this direction would violate the condition
         steepness = changes / np.linalg.norm(edges, axis=0)
         back, out = divmod(int(steepness.argmin()), x.size)
         if steepness[back, out] >= -METHOD.feasible * terms:
@@ -360,6 +363,7 @@ def least_variation(
         meets = (values * rates < 0).nonzero()[0]
         meets = np.append(meets[meets < terms], terms + (rates[terms:] < 0).nonzero()[0])
         meets = meets[(np.abs(values[meets] / rates[meets])).argsort()]
+        # beyond each plane of a term, the slope of the sum is larger by `gains`; a condition ends the step
         gains = np.where(meets < terms, 2 * np.abs(rates[meets]), np.inf)
         turns = (changes[back, out] + gains.cumsum() >= 0).nonzero()[0]
         if not turns.size:

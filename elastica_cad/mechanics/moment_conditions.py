@@ -116,6 +116,7 @@ def moment_rows(panels: Panels, units: FloatArray) -> MomentRows:
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
+    # b beyond the start, on each panel, and beyond the end; without jumps it is (b_x, b_y), unknowns 1 and 2
     b = np.zeros((count + 2, 2, size))
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
@@ -186,19 +187,22 @@ def weighted_moment_rows(
     count, order = panels.t.shape
     # unknowns at an end of a panel: moment, two force components, and the inverse stiffness tau
     total = 4 + units.shape[2]
+    # jumps of b at the ends of the panels
     steps = np.zeros((count + 1, 2, total))
     steps[:, :, 3] = left_of(points)
     steps[:, :, 4:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     G = np.array([up[1], -up[0]])  # the upward unit vector, turned clockwise by 90 degrees
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
+    # each panel is computed from its near end: the left end if this is a zero, or else the right end
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
     integral = np.where(left[:, None, None], -LEFT, RIGHT) * panels.stretch[:, None, :]
     lever = local @ G
+    # K kappa - kernel @ (own K) = known @ (M, b_x, b_y, tau at the near end) at the nodes of a panel
     kernel = integral * (lever[:, :, None] - lever[:, None, :])
     matrix = -kernel * own[:, None, :]
     matrix[:, np.arange(order), np.arange(order)] += np.where(panels.flat[:, None], 1.0, panels.curvature)
     known = np.zeros((count, order, 4))
-    known[~zero, :, 0] = 1.0
+    known[~zero, :, 0] = 1.0  # the moment at a zero is 0
     known[..., 1:3] = local
     known[..., 3] = np.einsum("nij,nj->ni", kernel, dead)
     stiffness = np.linalg.solve(matrix, known)
@@ -208,6 +212,7 @@ def weighted_moment_rows(
     # integrate each panel from its right end, or from its left end if the left end is a zero
     sign = np.where(left, -1.0, 1.0)
     far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
+    # matrices (N, 4, 4) from (M, b_x, b_y, tau) at the near end to the far end, then from the right to the left end
     chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]
     transfer = np.tile(np.eye(4), (count, 1, 1))
     transfer[:, 0, 1:3] = chord
@@ -257,15 +262,17 @@ CHOSEN = 1e-5
 class StiffnessFamily:
     """Stiffnesses K = rows @ y + offset with free parameters y (d,), as polynomials on each of N panels.
 
+    At each point of the curve, the rows are d numbers and the offset is one number.
+
     Attributes
     ----------
     panels : Panels
     columns : PanelFunction
-        Coefficients (N, p, d + 1) of the polynomials: those of the rows, then those of the offset.
+        Coefficients (N, p, d + 1) of the polynomials: the first d columns are the rows, the last is the offset.
     conditions : (k, d + 1) array
-        Conditions conditions @ (y, 1) >= 0.
+        Conditions conditions @ (y, 1) >= 0, each for the whole rod.
     sides : tuple of PanelFunction
-        Further conditions side @ y >= 0 along the whole curve, with coefficients (N, p, d) of `side`.
+        Further conditions side @ y >= 0 at every point of the curve, with coefficients (N, p, d) of `side`.
     """
 
     panels: Panels
@@ -310,6 +317,7 @@ class StiffnessFamily:
 
 
 def _rows_and_offset(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
+    # split columns (n, d + 1) into rows (n, d) and offset (n,)
     return columns[:, :-1], columns[:, -1]
 
 
@@ -319,13 +327,14 @@ def least_ratio(
     tolerance: float = _SETTLED,
     most: float = np.inf,
 ) -> tuple[FloatArray, float] | None:
-    """Return the parameters y of the stiffness with the least ratio R, and R.
+    """Return the parameters y (d,) of the stiffness with the least ratio R, and R.
 
-    Return None if no stiffness is positive everywhere. The result can also be None if R is above `most`.
+    The least R for which some y keeps 1 <= K <= R and satisfies the conditions of the family is computed. Return
+    None if there is no such y. The result can also be None if R is above `most`.
 
-    With `places` (panels and coordinates x), R is the ratio at these samples. By default, R is the ratio on the
-    continuous curve. Extremes of the stiffness are then added to the linear program until the stiffness exceeds
-    its bounds by at most the relative `tolerance`.
+    With `places` (panels and coordinates x), the bounds hold at these samples, and `family.sides` are ignored. By
+    default, the bounds hold on the continuous curve. Extremes of the stiffness are then added to the linear program
+    until the stiffness exceeds its bounds by at most the relative `tolerance`.
     """
     if places is not None:
         samples = family.columns.at(*places)
@@ -373,6 +382,7 @@ def _continuous_ratio(
         if not (low.size or high.size or any(map(len, broken))):
             if values.min() <= 0:  # rounding errors are as large as the least stiffness
                 return None
+            # K may be slightly below 1
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
         program.demand(rows[low], offset[low], rows[high], offset[high])
         for more in broken:
@@ -512,7 +522,8 @@ class BalancedStiffness:
     bending_stiffness, weight
         Least bending stiffness B, N mm2, and the weight of a strip with this B; None if not computed.
     kinks : sequence of (s, continuity)
-        Arc lengths s, mm, at which the load or the material law makes K less smooth than the curve.
+        Arc lengths s, mm, at which loads, material law or natural curvature make K less smooth than the curve,
+        each with the number of continuous derivatives of K.
     between : tuple of ElementForce
         Rails, pins and ties with their forces, 1/mm2.
     """
@@ -531,7 +542,7 @@ class BalancedStiffness:
 class StateFamily:
     """Stiffnesses of a rod in equilibrium with free parameters y.
 
-    The unknowns that `MomentRows` describes are fixed + basis @ y.
+    The m unknowns that `MomentRows` describes are fixed (m,) + basis (m, d) @ y. `family` has their stiffnesses.
     """
 
     family: StiffnessFamily
@@ -584,6 +595,7 @@ class RodRequest(EqualByValue):
     def examined(self, tolerance: float = 1e-4) -> EquilibriumCheck:
         """Check the curve, and move it by at most `tolerance` times its length to make it realizable."""
         curve = self.curve_to_bend
+        # with weight, the part between a free end and an element is not straight
         placed = [
             PlacedElement.on(element, self.drawn or curve, curve)
             for elements in ((self.between, self.point_forces) if self.gravity is None else ())
@@ -604,6 +616,7 @@ class RodRequest(EqualByValue):
         """Rails, pins and ties with their positions on the checked curve."""
         placed, curve = self._placed(self.between), self.check.curve
         if placed:
+            # the weight counts as a unit force at the start: only a load of exactly 0 needs no support
             at = curve.at(np.array([0.0, *(force.s[0] for force in self.forces)])).position
             weight = (0.0, 0.0) if self.gravity is None else self.gravity.direction
             forces = np.array([weight, *(force.units[0, 0] for force in self.forces)])
@@ -716,13 +729,13 @@ class ConditionedRows:
         """Return all stiffnesses in equilibrium, with any positive multiple of the known loads or without loads."""
         basis = np.diag(self.scale)
         if not loaded:
-            basis = np.delete(basis, 3, axis=1)
+            basis = np.delete(basis, 3, axis=1)  # unknown 3 is tau
         basis = basis @ null_space(self.conditions @ basis)
         sides = np.append(self.pushed, 3) if loaded else self.pushed
         return self._states(basis, np.zeros(self.scale.size), sides)
 
     def _states(self, basis: FloatArray, fixed: FloatArray, sides: IntArray) -> StateFamily:
-        """Return the stiffnesses for the unknowns fixed + basis @ y, of which `sides` must be 0 or more."""
+        """Return the stiffnesses for the unknowns fixed + basis @ y. Those with indices `sides` are 0 or more."""
         conditions = (np.column_stack([basis, fixed]) / self.scale[:, None])[sides]
         K, offset = self.rows.stiffness @ basis, self.rows.stiffness @ fixed
         return StateFamily(StiffnessFamily.through(self.panels, K, offset, conditions), basis, fixed)
@@ -765,6 +778,7 @@ class ConditionedRows:
             return state
         table = PanelFunction.through(self.rows.stiffness)
         rows = table.dense if self.places is None else table.at(*self.places)
+        # the optimal stiffness, and the stiffness under a constant moment, which may have the same ratio
         K, steady = rows @ state, np.abs(rows[:, 0])
         if steady.max() * K.min() <= (1 + NO_GAIN_SHARE) * K.max() * steady.min():
             return np.asarray(np.sign(rows[0, 0]) * np.eye(state.size)[0])
@@ -819,6 +833,7 @@ class ConditionedRows:
         softest, y = 1 + size * (1 - solution[1]), size * solution[0]
         if softest < least / most * (1 - BOUNDED):
             return None
+        # a lower B allows a larger ratio most / B, and so a smoother stiffness
         trade = 1.0
         if self.check.zeros and numbers.family.freedom > 0:
             trade = max(1.0, min(1 + SMOOTHING_SHARE, softest * most / least))

@@ -142,6 +142,7 @@ class MountedElements:
         first_shift = k - len(free)
         origin = self.anchor + self.shift(numbers)
         for action, at in zip(solved, self.first_unknowns, strict=True):
+            # unknowns `pair` are the components of the force, unknown `more` is the arc length or the cord's angle
             along, f = action.held_directions, action.force[0]
             more = at + len(along)
             pair, weights = slice(at, more), self._weights(action, n)
@@ -174,6 +175,7 @@ class MountedElements:
                 residual[more] = -f @ slope
                 corner[pair, more] = corner[more, pair] = -slope
                 corner[more, more] = -h * f @ (curving @ tangents)
+        # the equation of a translation: all forces along a free axis add up to 0
         residual[first_shift:] -= self.load[free]
         if floating:  # no support holds the position of the rod: keep it
             corner[first_shift:, first_shift:] = np.eye(len(free))

@@ -104,6 +104,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
     A pin may be off in all directions, a rail only across the strip, and a cord only in its length.
     """
     shape = shape_of(state)
+    # index of the first position error of each element in `Residual.miss`, after those of the ends
     places = len(state.system.held) + state.system.elements.first_unknowns
     for action, at in zip(acting, places.tolist(), strict=True):
         if isinstance(action.element, Pin):
@@ -114,6 +115,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
             directions = (shape.at(float(action.s[1])) - shape.at(float(action.s[0])))[None]
         units = directions / norm(directions)[:, None]
         moves = [_displacement(state, slice(at, at + 2), unit) for unit in units]
+        # the spectral norm is the displacement of a node for the worst direction of the error
         yield float(np.linalg.norm(np.stack(moves, axis=-1), ord=2, axis=(1, 2)).max())
 
 

@@ -53,6 +53,7 @@ def newton_step(state: RodState, residual: Residual) -> Step:
 
 def _step_with_hessian(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
     rows, below = state.rows, -residual.miss
+    # without rails, pins and ties, all reactions are forces and need no scaling
     if not state.system.actions:
         return Step(
             *solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below, corner=state.corner)
@@ -101,6 +102,7 @@ def correct(
             trial = current.moved(step, factor)
             next_step = newton_step(trial, _residual_beyond(trial, kept))
             next_turned = _turned(next_step)
+            # a small next step is accepted even if it is up to twice the present step
             settled = next_turned < max(CONVERGED_RAD, min(SMALL_TURN_RAD / 4, 2 * turned))
             if settled or next_turned <= (1 - factor / 2) * turned:
                 break
@@ -139,6 +141,7 @@ def follow(state: RodState) -> Reached:
         if long and modes is None:
             modes = state.discrete.unstable_modes
         if corrected is None or (long and corrected[0].discrete.unstable_modes != modes):
+            # after a failed first attempt over the whole path, continue with a quarter
             step = (t_next - t) / (4 if (t, step) == (0.0, 1.0) else 2)
             if step < LEAST_STEP:
                 return Reached(state, t)
@@ -151,6 +154,7 @@ def follow(state: RodState) -> Reached:
 
 
 def _polish(state: RodState) -> RodState:
+    # Newton steps as long as each at least halves the error
     size = _relative_error(state, state.residual)
     for _ in range(6):
         if size == 0:
@@ -179,8 +183,14 @@ def relax(state: RodState, stop: Callable[[RodState], bool] | None = None) -> Ro
 def _minimise_energy(
     state: RodState, astray: float, stop: Callable[[RodState], bool] | None
 ) -> RodState | None:
-    """Minimise the energy in steps that turn an edge by at most `astray`, rad; return None on failure."""
+    """Minimise the energy by Newton steps with a positive definite Hessian; return None on failure.
+
+    A step has two limits. If it turns an edge by more than `astray`, rad, it is computed again with more stiffness
+    (`lift`), which also changes its direction. Then it is shortened to `LARGEST_TURN_RAD`, or to `WATCHED_TURN_RAD`
+    if `stop` must see the states on the way.
+    """
     system = state.system
+    # added stiffness, 1/mm: a small fraction of the lowest eigenvalue of a straight rod of stiffness 1
     softest = 1e-3 * system.edge_length / system.length**2
     # a descent that succeeds takes fewer steps; without end is that of a strip that is pulled tight
     for _ in range(120):
@@ -209,6 +219,7 @@ def _minimise_energy(
         # also step along the unstable mode, far beyond rounding errors, so that the minimisation does not end at a
         # saddle point
         if inertia:
+            # the imbalance is the gradient of the energy, so step against it
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * 0.05 * push, step.reactions)
             turned = _turned(step)
@@ -221,6 +232,7 @@ def _minimise_energy(
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
+    # halve the step until the energy decreases, or increases by at most a rounding error
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
     for _ in range(30):
         trial = _place_ends(state.moved(step, factor))
@@ -231,7 +243,11 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Turn the edges of the discrete rod as little as possible to fit its supports and ties, or return None."""
+    """Turn the edges of the discrete rod as little as possible to fit its supports and ties, or return None.
+
+    Unknowns that move an element or the rod (arc lengths, cord angles, translations) change too; forces change only
+    if the edges are axially elastic.
+    """
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     softness = 0.0 if state.system.compression is None else 1 / state.system.length
@@ -327,6 +343,7 @@ def must_shorten(state: RodState) -> bool:
     rows = state.discrete.constraint_rows
     normal = rows @ rows.T
     size = system.edge_length**2 * system.edges
+    # small rotations of the edges move an end only across the rod; errors that they can remove require no bend
     across = np.zeros_like(miss)
     if np.abs(normal).max() > 1e-12 * size:
         across += np.linalg.lstsq(normal, miss, rcond=1e-9)[0]
@@ -344,8 +361,10 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
         system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
         moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),
     )  # fmt: skip
+    # the straight rod buckles under the pressure lambda = eigenvalue / edge length
     values, shapes = first.state(state.angles).discrete.lowest_modes(mode)
     pressure, shape = float(values[-1]) / edge, shapes[-1] * side * np.sign(first_bulge(shapes[-1]))
+    # an edge at the angle a to the chord is shorter by edge * a^2 / 2 along it
     amplitude = np.sqrt(2 * (length - chord) / (edge * float(shape @ shape)))
     guess = first.state(state.angles + amplitude * shape, pressure * tangent[list(system.held)])
     corrected = correct(guess, turn=2.0, damping=1 / 64, most=40)

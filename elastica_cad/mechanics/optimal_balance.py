@@ -140,7 +140,11 @@ def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -
 
 @dataclass(frozen=True, eq=False)
 class WeightedPanels:
-    """Curve cut into panels, with the weight of a rod on this curve."""
+    """Curve cut into panels, with the weight of a rod on this curve.
+
+    `gravity` and `weight` are those of `optimal_rod`. Without `weight`, the weight is proportional to the
+    stiffness.
+    """
 
     request: RodRequest
     panels: Panels
@@ -217,6 +221,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
     _require_fixed_weight(problem, weight)
+    # least ratio for tau = 0 (`light`), and over all tau (`heavy`); row 3 of the basis is tau
     light, numbers = problem.ratio(problem.homogeneous(loaded=False)), problem.homogeneous(loaded=True)
     heavy = problem.ratio(numbers)
     if heavy is None:
@@ -264,6 +269,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     light = weightless.ratio(weightless.homogeneous(loaded=False))
     bent = float(np.abs(weightless.panels.curvature).max())
     # the curvature is tau times the moment, which is at most about newtons * length
+    # logarithms of tau
     trial = np.log(bent / (newtons * load.request.check.length)) + np.linspace(-8.0, 4.0, 25)
     ratios = np.array([ratio(x) for x in trial])
     best = int(ratios.argmin())
@@ -323,6 +329,7 @@ def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float
     """Return the factor on the thickness with which the sheet carries the weight at the same widths, or None."""
     factor = 1.0
     for _ in range(MOST_ROUNDS):
+        # the stiffness grows with the cube of the thickness, the weight of the sheet in proportion to it
         thick = replace(load, gravity=load.gravity and load.gravity.scaled(factor**-2))
         problem = thick.against(1 / (factor**3 * least))
         light, numbers = problem.ratio(problem.homogeneous(loaded=False)), problem.homogeneous(loaded=True)
@@ -483,6 +490,7 @@ def _balance_by_descent(
         off = np.append(state / scale, 1 / scale) - numbers.fixed
         size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
         here = np.linalg.lstsq(numbers.basis / size[:, None], off / size, rcond=None)[0]
+        # values of the family, at least 1 within the limit: E I / limit, or 2 - E I / limit for an upper limit
         share = sense * scale / limit
         rows, offset = (problem.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
         family = StiffnessFamily.through(load.panels, rows * share[..., None], offset * share + (1.0 - sense))

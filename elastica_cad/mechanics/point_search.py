@@ -114,13 +114,14 @@ def move_one_point(
             for index in filter(may_help, indices)
             for direction in directions
         ]
+        # last tried fraction of each move, with the signed area of its three inflections
         before = [(0.0, move.side(0.0)[1]) for move in moves]
         for share in SHARES:
             results = []
             for k, move in enumerate(moves):
                 (last, side), (count, now) = before[k], move.side(share)
                 before[k] = share, now
-                if side * now < 0:
+                if side * now < 0:  # the inflections were on one line between the two fractions
                     least = _bisected(last, share, TO_LINE, partial(move.is_beside, now))
                     if possible(move, least):
                         results.append((least, move))
@@ -196,6 +197,7 @@ class _Move:
 
     def at(self, share: float) -> PlaneCurve:
         points = self.curve.control_points.copy()
+        # round to a power of ten, so that the coordinates have few digits
         unit = 10 ** np.floor(np.log10(ROUNDING * self.curve.length))
         points[self.index] = np.round((points[self.index] + share * self.step) / unit) * unit
         return self.curve.with_control_points(points)

@@ -47,6 +47,7 @@ ROUGH_AT_ZERO = 2
 STEP_LENGTH = 1e-5
 """Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
 
+# distances of the nodes from the left end of a panel, in half widths of the panel
 FROM_LEFT = 1 + NODES
 
 
@@ -140,6 +141,7 @@ def cut_into_panels(
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
     close = 1e-10 * (high - low)
+    # a break (t, apart) ends a panel if it is farther than `apart` from a zero and from the ends; see `places`
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
@@ -152,12 +154,14 @@ def cut_into_panels(
         fixed + [t for (t, apart), distance in zip(breaks, away, strict=True) if distance > apart]
     )
     smooth = curve.smooth_panels
+    # the inner ends of panels on which the curve is smooth, except those close to another end
     between, widths = smooth[1:-1], np.diff(smooth)
     finer = between[
         _distances_from_nearest(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])
     ]
     edges = np.array(_without_close_neighbours(sorted(places + finer.tolist()), close))
     flags = _distances_from_nearest(edges, vanishing) <= close
+    # cut a panel with zeros at both ends in two, so that each panel has at most one zero
     tail, parts = np.full(edges.size - 1, np.inf), np.where(flags[:-1] & flags[1:], 2, 1)
     poles = np.array(vanishing)
     while True:
@@ -242,6 +246,7 @@ def _evaluated(
     for low, high in flats:
         flat |= (low < middle) & (middle < high)
     kappa[flat] = 0.0
+    # the speed, and a power of the distance from the nearest zero, which is divided by the excess curvature below
     functions = np.stack([stretch, np.ones(t.shape)])
     if zeros.size:
         pole = nearest_of(zeros, middle)
@@ -279,7 +284,7 @@ class CutCurve:
     law : MaterialLaw or None
         Moment-curvature law of a nonlinear material, or None for a linear material.
     cuts : tuple of float
-        Parameters of the curve at which panels end.
+        Parameters of the curve at which panels end: kinks, and more where the stiffness varies strongly.
     kinks : tuple of (float, int)
         Arc lengths, mm, at which the stiffness is not smooth, each with the number of continuous derivatives.
     """
@@ -304,6 +309,8 @@ class CutCurve:
         `stations` are the arc lengths, mm, of forces between the ends.
         """
         excess = ExcessCurvature(check.curve, natural_curvature)
+        # kinks (parameter, arc length, continuous derivatives) of the natural curvature and of the law, which has
+        # its kinks at both signs of the excess curvature
         bend = [*excess.kinks] + [
             (place.t, place.s, continuity)
             for curvature, continuity in (() if law is None else law.kinks)
@@ -311,7 +318,10 @@ class CutCurve:
             for place in excess.equals(side)
         ]
         zeros = np.array([zero.s for zero in check.zeros])
+        # (arc length, continuous derivatives): the moment has a corner at a force, and so has the stiffness
         kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations)]
+        # the panel between a load and a zero close to it would be too narrow, so the load moves to the zero; at an
+        # end, it then causes no kink
         hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks if 0 < s < check.length]
         hung = [(s, c) for s, c in hung if 0 < s < check.length]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
@@ -362,7 +372,8 @@ def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
     """Return arc lengths, mm, of more panel ends beyond a mass at s, if the mass is near a zero of the curvature.
 
-    Beyond the mass, a part of the stiffness is inversely proportional to the distance from the zero.
+    Beyond the mass, a part of the stiffness is inversely proportional to the distance from the zero. The distances
+    of the panel ends from the zero double, so that this part is resolved on each panel.
     """
     if not zeros.size:
         return []

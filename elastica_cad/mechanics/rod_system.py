@@ -125,7 +125,8 @@ class RodSystem:
     @cached_property
     def given_force(self) -> FloatArray:
         """Force lambda of the edges (n, 2) without reactions, 1/mm2."""
-        # the last edge carries the weight of the last node and the dead force
+        # the last edge carries the weight of the last node and the dead force; the force of the first edge follows
+        # from the loads if only one end holds a coordinate, and is an unknown reaction if both hold it
         from_end, from_start = -self.force - self.load[1:].sum(axis=0), self.force + self.load[0]
         first = np.where(self.supports.held[:2], from_end, from_start)
         first[list(self.held)] = 0.0
@@ -195,6 +196,7 @@ class RodState:
     def discrete(self) -> DiscreteRod:
         """Discrete rod of this state, with its tangent stiffness and its edge forces."""
         system, force = self.system, self.system.given_force.copy()
+        # the first reactions are those of the supports
         for i, value in zip(system.held, self.reactions, strict=False):
             force[:, i] += value
         K = system.stiffness
@@ -209,6 +211,7 @@ class RodState:
 
     @property
     def _numbers(self) -> FloatArray:
+        # unknowns of rails, pins and ties
         return self.reactions[len(self.system.held) :]
 
     @cached_property
@@ -359,6 +362,7 @@ class RodState:
         # forces of rails, pins and ties less than two edges from an end act partly on the end node
         load = system.load + lumped(self.actions, n + 1, system.length)
         force = nodal_forces(self.discrete.force, load)
+        # `Rod.force` at an end includes the forces of elements exactly there
         force[[0, -1]] += at_ends(system.length, (*self.actions, *like.point_forces)) * [[1.0], [-1.0]]
         change = self.change.copy()
         turning = turning_nodes(system.supports)

@@ -89,6 +89,7 @@ def _advise_key(key: str) -> str:
     keys = sheet_keys()
     for match, entry in keys.items():
         stem = entry.name
+        # the key in another case, or with another unit
         if key.lower() == match.lower() or (
             key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
         ):
@@ -204,6 +205,7 @@ def built_in_titles() -> Mapping[str, Refusal]:
 
 @lru_cache(maxsize=1)
 def _built_in() -> tuple[tuple[str, dict[str, Any], Refusal], ...]:
+    # (name, attributes of `Sheet` without the name, title) of each sheet
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
@@ -605,6 +607,7 @@ class Sheet:
         near = get_close_matches(low, names, n=3, cutoff=0.4)
         thicknesses = {known: Sheet.named(known).thickness for known in names if low in known}
         containing = sorted(thicknesses, key=lambda known: (not known.startswith(text), thicknesses[known]))
+        # a known material in another thickness, such as "birch-plywood-7"
         material, _, size = low.removesuffix("mm").rpartition("-")
         found = (re.fullmatch(rf"{re.escape(material)}-(\d+(?:\.\d+)?)", other) for other in names)
         listed = [match for match in found if match]

@@ -260,10 +260,12 @@ class SidewaysStability:
     def _is_rod(self) -> bool:
         if self.slenderness < RIBBON_SLENDERNESS or self.ribbon_number > MOST_RIBBON_NUMBER:
             return False
+        # a ribbon is more stable than the rod model, so only a good result of the model is conclusive
         return self.ribbon_number <= RIBBON_NUMBER or self.overloaded > 0
 
     @property
     def _between(self) -> bool:
+        # the bounds of the margin do not decide
         return self.most is not None and self.margin <= 0 < self.most
 
     @property
@@ -525,6 +527,7 @@ def _band(
     weight = node_weights(edge, n)
     T = unit_vectors(nodal_angle)
     N = left_of(T)
+    # stiffness matrices (n + 1, 2, 2) of the nodes for differences of the rotations of their edges
     spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
         "i,ij,ik->ijk", torsion / weight, T, T
     )
@@ -540,6 +543,7 @@ def _band(
     # off-diagonal blocks; half of the moment's term is in the block, and half in its transpose
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
+    # lower[k, j] is the entry of column j, k rows below the diagonal
     lower = np.zeros((4, 2 * n))
     lower[0, 0::2], lower[0, 1::2], lower[1, 0::2] = blocks[:, 0, 0], blocks[:, 1, 1], blocks[:, 1, 0]
     # links[i] is in the row of edge i and the column of edge i + 1, so its transpose is in the lower band

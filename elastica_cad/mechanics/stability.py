@@ -34,7 +34,7 @@ class Determinant:
         where Z has a zero of high order.
     fields : (n+2, 1+p) array
         Solutions zeta, eta_1, .. eta_p of the Jacobi equation on the edges, with a fictitious edge before the first
-        and after the last edge.
+        and after the last edge. There are p coordinates that both ends hold.
     integrals : (n, p, 1+p) array
         Integrals M_i and N_ij of the paper up to the end of each edge.
     """
@@ -371,6 +371,7 @@ def stability(rod: Rod) -> Stability:
     started_from: Literal["start", "end"] | None = None
     place, s, value = None, np.zeros(0), np.zeros(0)
     if any(discrete.held_angles) and discrete.bracing is None:
+        # the conjugate point needs a held angle at the end that is not the starting point
         started_from = "start" if discrete.held_angles[1] else "end"
         counted = discrete if started_from == "start" else discrete.reversed()
         z = stability_determinant(counted)
@@ -379,6 +380,7 @@ def stability(rod: Rod) -> Stability:
         place = None if place is None else rod.length - place
         s, value = rod.length - s[::-1], value[::-1]
     turning = turning_nodes(discrete.supports)
+    # the mode is 0 at an end with a held angle
     nodal = np.pad(midpoints(margin.mode), 1)
     nodal[turning] = margin.mode[turning]
     return Stability(
@@ -391,6 +393,7 @@ def stability(rod: Rod) -> Stability:
 def _safe_margin(rod: DiscreteRod) -> float:
     if rod.bracing is not None or not 0 < rod.margin.value < SAFE_MARGIN:
         return SAFE_MARGIN
+    # the margin of the straight rod matters only in this case; see `Stability.safe`
     chord = rod.position[-1] - rod.position[0]
     straight = replace(rod, angles=np.full(rod.angles.size, angle_of(chord)), force=np.zeros_like(rod.force))
     return min(SAFE_MARGIN, UNLOADED_SHARE * straight.margin.value)

@@ -112,7 +112,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     there: dict[str, Any] = {}
     parameters, margins, load = list[float](), list[float](), 1.0
     for k, entry in enumerate(entries):
-        there |= entry
+        there |= entry  # values that an entry does not contain stay as they are
         segment, visit = segment_to(_loaded(base, there), rod, _system(base, there))
         first, to = first_visit(segment, visit, side)
         if isinstance(first, Event):
@@ -171,6 +171,7 @@ def _system(rod: Rod, entry: Mapping[str, Any]) -> RodSystem:
 
 
 def _entries(path: Any) -> list[dict[str, Any]]:
+    # each entry of the path as keywords of `bend`, with the load factor as "load"
     if isinstance(path, Sequence) and path and all(isinstance(entry, Mapping) for entry in path):
         if any("supports" in entry for entry in path):
             raise InputError(

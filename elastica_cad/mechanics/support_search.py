@@ -80,9 +80,10 @@ def suggest_support(
         [Pin(at) for at in places],
         [Tie(start, end) for start, end in combinations(places, 2)],
     ]
+    # the first kind must reach a ratio up to MOST_RATIO
     best, least = None, CLEARLY_BETTER * MOST_RATIO
     for elements in kinds:
-        if least <= CLEARLY_BETTER:
+        if least <= CLEARLY_BETTER:  # another kind cannot be clearly better, because no ratio is below 1
             break
         requests = [
             RodRequest(

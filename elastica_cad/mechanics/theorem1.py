@@ -631,6 +631,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
+    # make the first and the last control point exactly equal
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):
@@ -713,6 +714,7 @@ def examine_curvature(
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
     touches = [z.s for z in zeros if z.kind == "touch"]
     points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
+    # the first straight piece is the tail at the start (end 0), the last one the tail at the end (end 1)
     joints = tuple(_joint_of(flats[-end], end) for end in tails if flats)
     check = EquilibriumCheck(
         realizable=True,
@@ -790,6 +792,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
     zeros: list[CurvatureZero] = []
+    # the zero at the start (False) and at the end (True) of the curve
     ends: dict[bool, CurvatureZero] = {}
     for zero in excess.zeros:
         at_start, at_end = zero.s_end <= near, zero.s >= length - near
@@ -797,6 +800,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
             zeros.append(zero)
         else:
             ends[at_end] = zero
+    # only such ends can be pinned or have a zero just beyond them; the factor 2 is a reserve
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
     if not (ends or hardly_bent.any()):
         return tuple(zeros)

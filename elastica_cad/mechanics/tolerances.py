@@ -131,6 +131,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
+    # the law, and its effect of bending, of a strip that bends as a plate
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor
@@ -145,6 +146,7 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
     wave = (1 + v.thickness_wave * np.cos(2 * np.pi * rod.s / rod.length + v.wave_phase)) ** 3
     if plate is not None:
         return _plate_as_cut(rod, *plate, K * wave / rod.stiffness, v)
+    # `loss` is a fraction of the least width, where K is 1
     K = (K - loss) / (1 - loss) * wave
     # the wave may also raise the least stiffness
     low = float(K.min()) if v.thickness_wave else 1.0
@@ -502,6 +504,7 @@ def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _
 
 
 def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:
+    # `inner` are random samples, `outer` the extremes of the ranges, which do not count in the percentile
     both = (*inner, *outer)
     good, every = (
         np.array([outcome.deviation for outcome in outcomes if outcome.deviation is not None])

@@ -379,7 +379,7 @@ class Flexure:
         strains = bent + np.abs(stretch)
         for end in (0, -1):
             inside = np.abs(s - s[end]) <= self.fillet - _overhang(float(h[end]), self.fillet)
-            root = np.flatnonzero(inside)[-1 - end]
+            root = np.flatnonzero(inside)[-1 - end]  # the innermost node, where the fillet begins
             # without fillet, the corner has a radius of half the width of a laser cut
             bending, axial = root_factors(max(self.fillet, 0.1) / float(h[root]))
             strains[..., inside] = (bending * bent[..., root] + axial * np.abs(stretch[..., root]))[..., None]
@@ -448,6 +448,7 @@ class Flexure:
         """Turn, degrees, and largest distance, mm, of the second state in the clamp from its drawn position."""
         first, second = self.pair.states
         turn = np.degrees(first.angle[0] - second.angle[0])
+        # the turn is above -180 and at most 180 degrees
         return float(180 - (180 - turn) % 360), _distance(self.rods[1].position, second.position)
 
     @cached_property
@@ -576,6 +577,7 @@ class Flexure:
         """
         places = [self.hole_places(line) for line in self.states]
         settings = [] if self.pair.bistable else [group[1] for group in places]
+        # holes of both pads in the first state and, if not bistable, of the end pad in the second
         distinct = np.concatenate([*places[0], *settings[1:]])
         # a hole may serve both states
         same = np.tril(norm(distinct[:, None] - distinct) <= 0.01, -1)
@@ -615,7 +617,7 @@ class Flexure:
     @property
     def holder_solid(self) -> FlatSolid:
         """Body of the holder, as thick as the sheet, below the plane of the part."""
-        *holes, plate = (item.path for item in self.holder().paths)
+        *holes, plate = (item.path for item in self.holder().paths)  # the outline is cut last
         depth = self.sheet.thickness
         return FlatSolid(plate, tuple(holes), depth, Frame().shifted(z=-depth))
 
@@ -642,6 +644,7 @@ class Flexure:
         ):
             place = Frame(middle.point(position), (*outward, 0.0), (*left_of(outward), 0.0))
             joints[str(name)] = place
+            # from start to end, the outer hole of the start pad is the first
             holes += [
                 turned(Frame(middle.point(at), place.x_axis, place.y_axis), sign) for at in near[::sign]
             ]
@@ -695,6 +698,7 @@ class Flexure:
         forces = [self.travel.largest_force]
         for off in (-OFF_MM, OFF_MM):
             fraction = 1 + 2 * off / sum(self.thickness_range)
+            # in a part that is not bistable, the force is proportional to the bending stiffness
             force = forces[0] / self.bending_stiffness
             if self.bistable:
                 path = self._push_finely(self.pair.first, fraction * self.scale)
@@ -766,6 +770,7 @@ class Flexure:
         path = self._push(start, scale)
         if path.snap is None:
             return path
+        # more shapes up to the snap, and more closely around the largest force
         peak = path.travel[path.force[path.travel <= path.snap].argmax()]
         return path.finer(np.linspace(0.0, (path.snap, 2 * peak), TRAVEL_STEPS + 1).ravel())
 
@@ -935,6 +940,7 @@ class Flexure:
                     "these places farther apart" if gap > 0 else
                     "between the states, two places of the part overlap. Draw these places farther apart",
                     severity="warning", gap=Length(gap)))  # fmt: skip
+            # `rest_warnings` reports a part of a bistable pair that is not bistable
             if not travel.reached and self.bistable == self.pair.bistable:
                 messages.append(note("the pushed part does not end in the second state: push it at another "
                                      "place, or guide it by hand", severity="warning"))  # fmt: skip
@@ -1010,6 +1016,7 @@ class Flexure:
 
 
 def _overhang(h: float, r: float) -> float:
+    # `give` is the length of a part of thickness h that is as compliant as a fillet of radius r
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0

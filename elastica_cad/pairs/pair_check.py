@@ -188,8 +188,10 @@ def _with_orders(
             continue
         slope = min(abs(float(difference.slope_at(z.t, left=left))) for left in (True, False))
         gentle = slope * curve.length <= GENTLE_SHARE * largest
+        # a simple zero with a gentle slope counts as order 3, and a short equal piece as a zero of order 2 or 3
         order = {"jump": 0, "touch": 2, "flat": 3 if z.changes_sign else 2}.get(z.kind, 3 if gentle else 1)
         before = zeros[-1] if zeros else None
+        # two simple zeros between which the difference is faint are one double zero
         if before and order == before.order == 1 and before.before:
             middle = (before.s + z.s) / 2
             t = float(curve.parameter(middle))
@@ -287,7 +289,8 @@ class PairedPanels:
     """Moments of two states along both curves, as linear functions of six numbers.
 
     The numbers are a_1 - a_2, b_1, b_2 and a_1 (symbols: see the docstring of the module), with the vectors b
-    multiplied by the length. The curves have N panels with p nodes each.
+    multiplied by the length. Positions are measured from the panel end in the middle. The curves have N panels with
+    p nodes each.
 
     Attributes
     ----------
@@ -324,6 +327,7 @@ class PairedPanels:
         edge = second.evaluate(second.parameter(panels.edge_s.clip(0.0, second.length)))
         from_left = (panels.from_left, in_panels(LEFT, along))
         from_right = (panels.from_right, -in_panels(RIGHT, along))
+        # positions of the panel ends on both curves, and the coefficients (N + 1, 5) of N there
         edges = [(x - x[len(x) // 2]) / size for x in (panels.edge_position, edge)]
         rows = _rows(np.ones(edges[0].shape[:1]), *edges)
         at = np.array([np.abs(panels.edges - z.t).argmin() for z in zeros], dtype=int)
@@ -341,7 +345,7 @@ class PairedPanels:
             np.where(left[:, None, None], a, b) / size for a, b in zip(from_left, from_right, strict=True)
         ]
         far = np.where(left[:, None], panels.stretch @ LEFT.T, -(panels.stretch @ RIGHT.T)) / size
-        near = np.arange(panels.count) + ~left
+        near = np.arange(panels.count) + ~left  # index of the panel end from which N is computed
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
             beside_zero = (near == place) & (panels.zero_left | panels.zero_right)
             for row, tangent_there in zip(step, turn, strict=True):  # N' is also 0 at a double zero of N
@@ -431,4 +435,5 @@ class PairedPanels:
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
+    # coefficients (..., 5) of N by a_1 - a_2, b_1 and b_2, at positions (..., 2) on the first and the second curve
     return np.concatenate([number[..., None], first, -second], axis=-1)

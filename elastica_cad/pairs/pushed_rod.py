@@ -86,6 +86,7 @@ class PushPath:
     def released(self) -> FloatArray:
         """Positions (n, 2) of the nodes, mm, at rest after the push is removed at the end of the travel."""
         last = self.way.visits[-1].state
+        # the first two reactions are those of the clamps
         return _settled(replace(last.system, actions=()).state(last.angles, last.reactions[:2])).position
 
     def finer(self, travel: FloatArray) -> "PushPath":
@@ -169,6 +170,7 @@ def push_path(
     steps, place, reactions = numbers(travel, "travel"), shape_of(free).at(at), free.reactions
     guide = ElementForce(Guide((float(away[0]), float(away[1]))), np.array([at]), np.zeros((1, 2)))
     first, last = (Mount(tuple((place + u * away).tolist())) for u in (0.0, steps[-1]))
+    # ends and loads do not change; only the place of the guide moves
     segment = Segment(free.system, free.system, (replace(guide, mount=last),), (first,))
     begin = segment.system(0.0, (guide,), (True,)).state(free.angles, reactions)
     return PushPath.listed(followed(segment, Visit.of(0.0, begin, (guide,), (True,))), steps)

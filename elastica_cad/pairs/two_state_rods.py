@@ -267,6 +267,7 @@ def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float |
     # changes of curvature in the first state, times the length
     excess = size * (paired.moments[0] @ numbers) / K
     kappa = size * paired.check.first.curvature_at(panels.t)
+    # changes of curvature in the first state (part 0) and in the second (part d), with both signs
     functions = [(sign * step, sign * (excess - part)) for sign in (1.0, -1.0) for part in (0.0, d)]
     bounds = [] if most_natural is None else [
         (sign * step, size * most_natural + sign * (excess - kappa)) for sign in (1.0, -1.0)
@@ -280,6 +281,7 @@ def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float |
     return numbers + idle @ answer
 
 
+# pairs of rows (N, p, r) and offset (N, p), for the values rows @ z + offset at the nodes of the panels
 Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
@@ -290,6 +292,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
     must be at least 0.
     """
     step = PanelFunction.through(functions[0][0]).dense
+    # functions have only upper bounds, so `demand` gets no lower bounds
     program, none = MinimaxProgram(step), step[:0]
     demand, hold = partial(program.demand, none, none[:, 0]), program.hold
     conditions = [
@@ -322,6 +325,7 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
     """Go from `start` towards `goal` as far as bounds hold and the largest value does not increase."""
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
+    # what is left of each limit at `start`, and how much of it the whole way to `goal` uses
     reserves = [(most - value, change) for value, change in values]
     reserves += [
         (np.maximum(rows @ start + offset, 0.0), -(rows @ (goal - start))) for rows, offset in bounds
@@ -351,6 +355,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
     K = rows_of(paired.stiffness_rows)
     M = np.concatenate([size * rows_of(moment) for moment in paired.moments])
+    # scale the unknowns, of which some change only the moments
     scale = np.abs(K).max(axis=0)
     scale = np.where(scale > 1e-12 * scale.max(), scale, np.abs(M).max(axis=0))
     K, M = K / scale, M / scale
@@ -415,6 +420,7 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
     )  # fmt: skip
     kinks = [(jump.s, jump.continuity - 2) for jump in check.second.breaks if jump.continuity < SMOOTH]
     force = [numbers[1:3] / size / least, numbers[3:5] / size / least]
+    # `stiffness_profile` does not use the moment and the force
     balance = BalancedStiffness(panels, stiffness, moments[0], moments[0], kinks=kinks)
     profile = stiffness_profile(curve_check, balance, 1 / least)
     first, second = (

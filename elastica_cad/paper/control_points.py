@@ -120,6 +120,7 @@ class CurveChanges:
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
         line *= size / (_LINE_STEP * length)
+        # fix the scale of the moment: the change of the scaled line is perpendicular to the scaled line
         inverse = np.linalg.inv(line)
         rows.append(np.concatenate([np.zeros(count), inverse @ [a, *b] @ inverse])[None])
         bends = curvature_rows(curve, self._t) * (self._root_weights * _BEND * length**2)
@@ -336,6 +337,7 @@ def _move_within(
             new_distance = _half_square(further, curve)
             achieved = distance + _PENALTY * (aim.broken(state) - aim.broken(moved)) - new_distance
             coarse = moved.ratio > 3.0 * max(state.ratio, bounds.ratio)
+            # trust region: accept a step with a small part of the predicted gain, and widen it after a good step
             if achieved > 0.05 * gain and not coarse:
                 state, changes, distance = moved, further, new_distance
                 history.append(_route_step(state, distance, bounds))
@@ -386,6 +388,7 @@ def _step(
     r = J.shape[1]
     # compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)
     C, dC = 1 / changes.state.stiffness, length * changes.compliance.at(*changes.state.places)
+    # objective x^t H x / 2 + g x of the unknowns x
     H, g = np.zeros((r + 3, r + 3)), np.zeros(r + 3)
     H[:r, :r] = J.T @ J
     g[:r] = J.T @ offsets
