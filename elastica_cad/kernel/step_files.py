@@ -126,6 +126,7 @@ def _with_wires_apart(shape: Shape) -> Shape:
         touching = _touching(wires)
         if not touching:
             continue
+        # a face with only the wires that share vertices, because all pairs of its wires are compared
         few, builder, split = face.EmptyCopied(), k.BRep_Builder(), k.ShapeFix_SplitCommonVertex()
         for number in touching:
             builder.Add(few, wires[number])
@@ -139,7 +140,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
     """Convert shapes to STEP entities without checks of their wires, by means of a new controller.
 
-    The later transfer of the document reuses these entities.
+    The controller of a writer asks for these checks, which are slow for many wires, and OCP cannot switch them off.
+    A controller that no writer has set up does not ask. The later transfer of the document reuses these entities.
     """
     session = writer.ChangeWriter().WS()
     session.SetController(kernel().STEPCAFControl_Controller())

@@ -63,11 +63,13 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     numbers = iter(range(len(segments)))
     rings = [list(islice(numbers, len(path.segments))) for path in paths]
     remaining = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
+    # round all corners; loops with sides that are too short are tried again without these sides
     while remaining:
         before = np.array([k for ring in remaining.values() for k in ring.sides])
         after = np.array([k for ring in remaining.values() for k in (*ring.sides[1:], ring.sides[0])])
         gaps = np.array([bool(gap) for ring in remaining.values() for gap in ring.gaps])
         before, after, places, corner_arcs = _corners(table, before, after, gaps, radius)
+        # each side remains between the parameters `first`, where an arc ends, and `last`, where the next arc begins
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[before], first[after] = places.T
         beyond = np.maximum(-first, last - 1) * sizes > CLOSE_MM
@@ -177,7 +179,7 @@ def _corners(
         open_ = open_[~given_up]
         if not open_.size:
             break
-    x[open_] = -1.0, 2.0
+    x[open_] = -1.0, 2.0  # outside the range: no arc was found
     start, leaving, end, entering = ends
     bulges = np.tan(turn_between(leaving, entering) / 4)
     arcs = [

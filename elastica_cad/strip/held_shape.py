@@ -229,6 +229,7 @@ def shape_responses(
     rows = discrete.constraint_rows
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
+    # required change of the held coordinates of the end
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
     # `rows` can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]

@@ -153,6 +153,7 @@ def cut_layers(
         return (base,)
     drawn = layout.backing.width
     held = fix_tab_widths(width, ends_held)
+    # the backing is cut only by slots whose inner end is on it
     inner_ends = [slot.center_line(width)[0][0] for slot in slots]
     reaching = [
         slot
@@ -354,6 +355,8 @@ class LapPlates:
         compliance = np.zeros(s.size)
         on_base = self._covered(s, self.joints, base.sheet.thickness)
         on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
+        # fraction of the strip around each node, and its stack of sheets and widths: without plates, with a plate
+        # on the base (plates have no holes), and with a plate on the backing
         for share, stack in (
             (1 - on_base - on_backing, [(base.sheet, net_width), *glued]),
             (on_base, [(base.sheet, wide), (base.sheet, net_width), *glued]),

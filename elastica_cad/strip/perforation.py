@@ -148,10 +148,12 @@ class DiamondPattern:
         return tuple(loops)
 
     def _margin(self, tab: Tab, s: float) -> float:
+        # return the distance, mm, of the holes from the end at `s`: 0 beside a tab as wide as the strip
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
     def _divide_at_slots(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
+        # return the parts of a row in which its hole number j is clear of the cuts of slots
         rows = [row]
         for cut in cuts:
             rows = [part for piece in rows for part in self._divide_at_slot(piece, j, cut)]
@@ -184,6 +186,7 @@ class DiamondPattern:
 
         Each extends between tips, half a bridge from a joint, and overlaps half of the next row.
         """
+        # row i is between the joints i - 1 and i + 1, if they exist
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -221,6 +224,7 @@ class DiamondPattern:
     def _values(self, s: FloatArray) -> FloatArray:
         """Return the columns (n, 3): outline width, net width and width of a full diamond, mm."""
         w, m = self.width(s), self.material(s)
+        # k is the index of the half row; its ends are solid over half a bridge, except at the ends of the strip
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.floor(s / half).clip(0, last)
         before, after = np.where(k > 0, self.bridge / 2, 0.0), np.where(k < last, self.bridge / 2, 0.0)
@@ -231,7 +235,11 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges."""
+    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges.
+
+    `stretches` are its parts along the strip. `full` is True for full diamonds. `lost` is the length, mm, that ends
+    and slots have cut off. `sides` has the lower and the upper side of each hole, for each stretch.
+    """
 
     stretches: tuple["_Stretch", ...]
     columns: int
@@ -240,6 +248,7 @@ class _Row:
 
     @property
     def across(self) -> int:
+        # number of holes side by side
         return self.columns if self.full else self.columns + 1
 
     @property
@@ -261,6 +270,7 @@ class _Row:
         return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
+        # return hole number j, counted from the lower edge, as a closed loop
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
@@ -295,6 +305,7 @@ class _Stretch:
         Lower sides are directed along x, and upper sides against x.
         """
         w, m, diamond = self.values.T
+        # widths of a ligament, of a full diamond at its widest station, and of a diamond in a gap
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
         step = 2 * t + pitch
@@ -442,11 +453,13 @@ class _Fit:
     """Range of the scale, N mm2, in which the net widths fit the outline.
 
     Ligaments and the largest part of holes limit it. `s`, `w` and `K` are stations, mm, with the width of the
-    outline, mm, and the relative stiffness.
+    outline, mm, and the relative stiffness. `holes` is the least total width of the holes, mm. `by_ligaments` and
+    `by_ratio` are the ranges due to the two limits.
     """
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
+        # the narrowest holes are the half diamonds at the edges, half as wide as the n full diamonds
         self.holes = 2 * style.columns * style.least_hole
         s = stations_of(rod.length, outer, rod.profile)
         self.s = refine_stations(s, outer(s) / rod.profile(s), (outer(s) - self.holes) / rod.profile(s))
@@ -472,6 +485,7 @@ class _Fit:
         most = self.section.bending_stiffness(room)
         least = self.section.bending_stiffness((1 - style.hole_ratio) * self.w)
         self.by_ratio = ScaleRange.of(least, most, self.K)
+        # both ranges have the same upper limit, from the least width of the holes
         self.lowest = max(self.by_ligaments.lowest, self.by_ratio.lowest)
         self.highest = self.by_ligaments.highest
 
@@ -582,9 +596,11 @@ class _Fit:
         return i, max(by_ligaments, self.holes / share_of_holes)
 
     def _has_varying_outline(self, i: int) -> bool:
+        # return True if the outline's width varies noticeably, relative to its width at station i
         return bool(np.ptp(self.w) > SEEN_APART * self.w[i])
 
     def _would_do(self, columns: int) -> bool:
+        # return True if the ligaments fit the outline with this number of columns
         section = PerforatedSection(
             self.section.sheet, ligaments=2 * columns + 2, least_ligament=self.style.least_ligament
         )
