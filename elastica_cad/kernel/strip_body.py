@@ -263,6 +263,7 @@ class StripBody:
             self._made = replace(made, strip=made.strip.labelled(label))
 
     def _start(self) -> Frame | None:
+        # return the present frame of the joint "start", or None for a body without it
         raise NotImplementedError
 
     @property
@@ -305,6 +306,7 @@ class StripBody:
 
     @property
     def _changed_color(self) -> tuple[float, ...] | None:
+        # colour that the user has set, or None if the body has the colour of its sheet
         color = color_numbers(self.color) if self._is_strip and self.color is not None else ()
         usual = (*sheet_color(self.strip.sheet), 1.0)
         # components of equal colours differ by rounding errors

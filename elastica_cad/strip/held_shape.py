@@ -394,12 +394,14 @@ def sheet_effects(
     """
     n, M = rod.s.size, rod.moment
     phases = 2 * np.pi * rod.s[:, None] / rod.length + np.pi * np.arange(PHASES) / PHASES
+    # changes of the moments (n, columns) by cause; a wave has a column for each phase, of which the worst counts
     wave = M[:, None] * np.cos(phases)
     # E I is proportional to the cube of the thickness
     changes = {"thickness": 3 * tolerance.thickness_wave * wave}
     # at the angle t to the grain, the compliance 1 / E grows at most by the fraction sin^2(t) (E / G - 2 nu - 2)
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:
+        # the compliance varies by fractions from 0 to `softer`
         changes["grain"] = softer / 2 * wave
     if feels_modulus(design):
         changes["modulus"] = (tolerance.modulus / (1 - tolerance.modulus) * M)[:, None]
