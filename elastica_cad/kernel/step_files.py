@@ -214,7 +214,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
     shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     colors = k.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     k.XCAFDoc_DocumentTool.SetLengthUnit_s(document, 0.001)
-    drawn: dict[int, Any] = {}
+    drawn: dict[int, Any] = {}  # label of each shape in the document, by the id of the shape
     for part in parts:
         if id(part.shape) not in drawn:
             label = shapes.AddShape(bare(part.shape), False)

@@ -514,6 +514,7 @@ class BoundaryMaker:
             least, most = _y_limits(segment)
             # straight walls (to 1e-9 mm) are planes, because CAD kernels can fuse coplanar walls of adjacent strips
             if most - least < 1e-9:
+                # the normal is d/du cross d/dv, with u along the segment and v to the right of the curve
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))

@@ -104,6 +104,7 @@ class _Ring:
     def without(self, short: set[int]) -> "_Ring | None":
         """Return the ring without the `short` sides, or None if fewer than two sides remain."""
         around = list(zip(self.sides, self.gaps, strict=True))
+        # begin at a side that remains, so that each omitted side is after one
         first = next((j for j, k in enumerate(self.sides) if k not in short), 0)
         sides: list[int] = []
         gaps: list[tuple[int, ...]] = []

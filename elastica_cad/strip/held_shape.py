@@ -302,6 +302,7 @@ def open_deviation(
     nu = sheet.poisson_ratio
     shear = even_shear_ratio(nu) / sheet.shear_ratio
     from_causes = sum(OPEN_FRACTIONS.get(cause, 0.0) * mm for cause, mm in parts.items())
+    # the combined effect of crowded slots is unknown, so the whole effect of slots counts as an error
     from_causes += parts.get("slots", 0.0) * crowded
     if approximated:
         from_causes += (OPEN_BUILT + OPEN_GRAINED * max(0.0, shear**0.5 - 1)) * length

@@ -295,7 +295,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
             direction = angle_of(action.force[0])
             normal = action.force / (action.size or 1.0)
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
-            normal = -normal
+            normal = -normal  # a rail is on the side from which it pushes
         contact = face = None
         if (bar := action.bar_direction(rod.curve)) is not None:
             normal = bar[None]

@@ -113,6 +113,7 @@ class Layer:
         line = np.arange(x.size).repeat(count)
         station = numbers_in_groups(count) + first.repeat(count)
         u = (at[station] - x[line]) / (x1 - x)[line]
+        # add y of chords that run to the left, and subtract it for chords to the right: the sum is the width
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
         # the outline counts as positive and holes as negative, whether a loop is clockwise or not
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
@@ -348,6 +349,7 @@ class LapPlates:
         """
         base, *more = layers
         at = s.clip(END_MM, layout.width.length - END_MM)
+        # widths of the outline, of the base as cut, and (`net_width`) of the base without holes under the plates
         wide, cut = layout.width(at), base.material(at)
         net_width = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
         glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]

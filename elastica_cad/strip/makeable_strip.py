@@ -488,7 +488,8 @@ def make_within(
         The strip would break, and `ignore_limits` is False.
     """
     refuse_broken(strip, ignore_limits)
-    with suppress(InputError):  # `find_strip_faults` reports joints that do not fit
+    # if joints do not fit, `spliced` below raises the error, after all other faults
+    with suppress(InputError):
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)

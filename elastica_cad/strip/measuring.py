@@ -254,7 +254,7 @@ class Measuring:
         off = np.array([(measured[name] - self.expected[name]) / errors[name] for name in errors])
         squares = float(off @ off)
         improbable = squares > chdtri(len(errors), CHANCE)
-        likely = []
+        likely = []  # sum of squares that a cause leaves unexplained, and its message
         for cause, changes in self.causes.items():
             G = np.array([[change[name] / errors[name] for change in changes] for name in errors])
             answer = np.linalg.lstsq(G, off, rcond=None)[0]
@@ -264,7 +264,7 @@ class Measuring:
             far = (
                 # a cause with as many amounts as readings would explain any readings
                 len(errors) <= len(changes)
-                # these causes have no amount
+                # these causes have no amount, so their fitted factor must be near 1
                 or (cause in ("end for end", "wrong side") and not 0.5 < answer[0] < 1.5)
                 # the thickness of a sheet varies by at most 6 %
                 or (cause == "thickness" and size > 6.0)

@@ -405,6 +405,7 @@ class Perforated:
         material = rod.profile.scaled(scale / fit.section.rigidity)
         # diamonds are three times as long as the spacing of the columns
         rows = self.rows or max(1, round(rod.length * self.columns / (3.0 * float(fit.w.mean()))))
+        # bridges and clearances are as wide as the narrowest ligament
         pattern = DiamondPattern(
             outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
@@ -416,6 +417,7 @@ class Perforated:
         slopes = pattern.slopes(s)
         i = slopes.argmax()
         if slopes[i] > np.tan(STEEP_RAD):
+            # length of a row whose sides have the allowed slope; slopes are inversely proportional to `side_length`
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             yield note(
                 "the ligaments (material between holes) {s} from the start are inclined by {angle:.0f}, "
@@ -557,6 +559,7 @@ class _Fit:
             ))  # fmt: skip
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
         if self.by_ratio.lowest > self.by_ligaments.lowest:
+            # largest fraction of the width that the holes take at the highest possible stiffness
             share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
             ways.append(
                 note(

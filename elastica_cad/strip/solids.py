@@ -180,6 +180,7 @@ def _misread_area(sides: Sequence[Spline]) -> float:
         rows = SplineFunction(curve.knots, curve.control_points, curve.degree)
         half = (last - first) / 2
         t = first + half * (points + 1)
+        # area that the line from the start to a point of the side sweeps
         swept = cross(rows(t) - side.start, rows(t, 1)) @ weights * half / 2
         off += abs(float(swept) - side.swept_area(side.start))
     return off

@@ -728,6 +728,7 @@ class StripSpec(EqualByValue):
     @cached_property
     def run_ins(self) -> StraightEnds:
         """Drawn curve, divided into its bent part and straight ends that become tabs."""
+        # without smoothing, a curve with corners is refused later
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
         return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
@@ -774,6 +775,7 @@ class StripSpec(EqualByValue):
         if not sized or not self.loads or self.section is not None or not isinstance(self.style, Plain):
             return None
         least, cuttable = self.min_width or 0.0, self.shop.width_for(self.material)
+        # if even `max_width` cannot be cut, the fault of the finished strip is reported later
         if self.max_width is not None and not self.ignore_limits and cuttable < self.max_width:
             least = max(least, cuttable)
         return PlainSection(self.material, least, self.max_width or np.inf)
@@ -857,6 +859,7 @@ class StripSpec(EqualByValue):
                     thickness=self.material.thickness, poisson_ratio=self.material.poisson_ratio,
                 )  # fmt: skip
                 ratio = max(1.0, ratio / float(stiffening))
+            # the limits get the smaller of both ranges of widths
             if limits.width is None or ratio < limits.width[1] / limits.width[0]:
                 limits = replace(limits, width=(self.max_width / ratio, self.max_width))
         return limits

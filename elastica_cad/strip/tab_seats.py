@@ -354,6 +354,7 @@ def rest_in_seats(
     NotConvergedError
         A tab does not fit into its holder, or no rest shape was found.
     """
+    # an end that is free to turn is held at its point only, also in a holder
     seated = [
         SeatedEnd(k, seat, stiffness)
         for k, (seat, stiffness) in enumerate(zip(seats, tab_stiffness, strict=True))
@@ -379,6 +380,7 @@ def rest_in_seats(
             stiffness = problem.end_stiffness(q, rod)
         firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
         solution = problem.step(q, rod, firm, penalty=penalty, reach=reach)
+        # the quadratic program divides forces by the largest stiffness
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
         # a small step that `reach` has shortened is not the last step

@@ -439,6 +439,7 @@ def _stages(rod: Rod, legs: Sequence[Leg]) -> tuple[Stage, ...]:
         # sums of the present and of the new loads, N
         load = [sum(one.newtons for one in loads) for loads in leg.loads or ((), ())]
         moves = "mm" if far else "deg" if turned > TURNED_DEG else "%"
+        # if loads grow while the ends move (`together`), the axis is the movement
         unit = "N" if load[0] != load[1] and not leg.together else moves
         stages.append(Stage(leg, unit, (travel, travel + far), (turn, turn + turned), (load[0], load[1])))
         rod, travel, turn = bent, travel + far, turn + turned

@@ -755,6 +755,7 @@ def _too_large(
             long=BareLength(its_long), short=Length(its_short), sheet=sheet.name,
             stock_long=BareLength(long_side), stock_short=Length(short_side),
         )  # fmt: skip
+        # the width is too large, not the length of the curve
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)
             # a strip that is only twice as long as wide bends as a plate
