@@ -232,6 +232,7 @@ class BentMap:
             even = pace(segment)
 
             def values(t: FloatArray, segment: Segment = segment) -> FloatArray:
+                # three columns, x, y and z in space, for each height
                 return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
 
             if even is None:
@@ -324,9 +325,10 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     NotConvergedError
         The curve could not be approximated to 1e-6 mm.
     """
+    # the curve of a rod may be slightly longer or shorter than the rod
     curve, scale = rod.curve, rod.curve.length / rod.length
     every = [(place.s / scale, place.continuity) for place in curve.breaks]
-    # N has one continuous derivative less than the curve, so splines of degree 5 need a break for c < 4
+    # (arc length, number c of continuous derivatives) of the breaks that are not too smooth to matter; N has c - 1
     breaks = [(s, c) for s, c in every if 0 < s < rod.length and c < DEGREE - 1]
     cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
     # the centre line may be off by 1e-6 mm; an error of N is multiplied by the distance from the centre line

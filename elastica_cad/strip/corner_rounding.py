@@ -149,11 +149,13 @@ def _corners(
     # pieces of a curve fitted to points meet at smaller angles
     sharp = (np.abs(turn) >= 0.02) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
+    # the centre of an arc is at the distance `side` (positive to the left) from both sides of the corner
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
+    # parameters (k, 2) of the ends of the arcs; at first, as if the sides were straight
     x = np.column_stack([1 - reach / norm(s), reach / norm(t)]).clip(0.0, 1.0)
     open_ = np.arange(before.size)
-    ends = np.zeros((4, before.size, 2))
+    ends = np.zeros((4, before.size, 2))  # position and velocity at the start of each arc, and at its end
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
     for _ in range(40):
         near, far = (
@@ -161,6 +163,7 @@ def _corners(
             for k, sides in enumerate((before, after))
         )
         ends[:, open_] = *near, *far
+        # difference of the two centres that the two sides give
         gap = _offset_points(*near, side[open_]) - _offset_points(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True

@@ -498,6 +498,7 @@ class _Fit:
         """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise FaultError(self._infeasible())
+        # E I per mm of net width, and extremes of K: the net width is scale * K / rigidity
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
         scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
         if self.rod.bending_stiffness is not None:
