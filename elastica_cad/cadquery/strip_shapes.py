@@ -106,6 +106,7 @@ class _Moved(_Pickled):
     def _apply_transform(self, Tr: Any) -> Any:
         image = self._with_record(super()._apply_transform(Tr))
         if isinstance(image, type(self)) and "_made" in self.__dict__:
+            # joints are moved in space, and made relative to the location of the image
             here, back = self.location(), image.location().inverse
             image._joints = {
                 name: back * make_location(occt.moved_frame(_read_frame(here * at), Tr))
@@ -344,6 +345,7 @@ class Sheets(cq.Compound):
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
+        # `args` is iterated, which would split this compound
         result: cq.Shape = super()._bool_op((self,) if args is self else args, *others)
         return Sheets(result.wrapped) if isinstance(result, cq.Compound) else result
 

@@ -122,6 +122,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
+    # return unit normals (n, 3) at the corners: means of the adjacent triangles, weighted by their areas
     a, b, c = places[corners.T]
     normals = np.zeros_like(places)
     np.add.at(normals, corners.T, np.cross(b - a, c - a))

@@ -347,6 +347,7 @@ class StripBody:
         return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, tuple[float, ...]]]:
+        # yield shape, name and colour of each sheet of the bent strip
         from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self._made.name, self.strip)
@@ -368,6 +369,7 @@ class StripBody:
         return upper.carried(FlatSolid.of(self.strip).joints["start"], now)
 
     def _backing_of(self, layers: Sequence[T]) -> T:
+        # `layers` are the sheets of this strip, the base first
         if len(self.strip.layers) == 1:
             raise InputError("The strip has no backing. Use style=Laminated(width=..., backing=...).")
         return layers[1]

@@ -585,6 +585,7 @@ def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
 
 
 def _y_limits(segment: Segment) -> tuple[float, float]:
+    # return a range of y that contains the segment; that of a spline's control points may be too wide
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)
@@ -598,6 +599,7 @@ def _corners_at_ends(piece: SegmentPart) -> tuple[int, int]:
 
 
 def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+    # return points in space (k, levels, 3), mm: see `BentMap.points`
     if isinstance(shape, BentMap):
         return shape.points(flat, heights)
     return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)

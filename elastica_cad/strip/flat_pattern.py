@@ -398,6 +398,7 @@ class _Cutter:
         )
 
     def _seam(self, start: int, end: int, upward: bool) -> SegmentPart:
+        # return the piece between two corners of a station line; regions on both sides share its line and number
         low, high = (start, end) if upward else (end, start)
         if (low, high) not in self.seams:
             self.seams[low, high] = next(self.numbers), Line(self.points[low], self.points[high])

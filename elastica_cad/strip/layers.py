@@ -217,6 +217,7 @@ def draw_layers(
 
 
 def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
+    # a slot is an open line, which is closed beyond the edge
     open_cuts = [rim.line for rim in layer.slots]
     loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
     return tuple(part for guide in guides for part in trim_off(guide, loops))

@@ -164,6 +164,7 @@ class DiamondPattern:
             return [row]
         (low, _), (high, _) = cut.bounds
         sides = row.within(-np.inf, low - self.clearance), row.within(high + self.clearance, np.inf)
+        # shorter parts are omitted
         return [side for side in sides if side is not None and side.length > 2 * self.clearance]
 
     def _apart(self, loop: Path, cut: Path) -> bool:

@@ -198,6 +198,7 @@ class Shoulder:
             )
         if least is None:
             return note("Make the curve gentler there, and the tab wider.")
+        # `at` is 0 at the start
         wider = f"{{ width = {least:g}, ... }}"
         tabs = ("{ ... }", wider) if self.at else (wider, "{ ... }")
         return note(

@@ -99,6 +99,7 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
 
 
 def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
+    # multiply masses by the fraction of weight that acts in the plane; forces and a `Weight` are used unchanged
     if isinstance(loads, Weight):
         return loads
     return tuple(

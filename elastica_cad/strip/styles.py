@@ -247,6 +247,7 @@ def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
 def _require_width_within(
     width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
 ) -> None:
+    # `slack` is the fraction by which a width may be beyond its limit
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")

@@ -251,6 +251,7 @@ class _RoundBoundary:
         self.faces.append(Face(PlaneSurface(frame), tuple(loops)))
 
     def _edge(self, knots: FloatArray, points: FloatArray, start: int, end: int) -> int:
+        # add an edge between two vertices, and return its index
         self.edges.append(
             Edge(SpaceCurve(knots, points, DEGREE), float(knots[0]), float(knots[-1]), start, end)
         )

@@ -260,6 +260,7 @@ class Travel:
     def _value(self, place: Place | None) -> float | None:
         return None if place is None else self.stages[place[0]].value(place[1])
 
+    # the first places (number of the stage, fraction of it) at which the strip fails in each way
     @cached_property
     def _strained(self) -> Place | None:
         return self._first_failure(lambda rod: not self.strip.bent_as(rod).most_strained.judged().allowed)
