@@ -51,6 +51,7 @@ def _read_frame(location: bd.Location) -> Frame:
 
 
 def _joint_of_copy(name: str, number: int) -> str:
+    # return the name of a joint on copy `number` of a body, counted from 1
     return name if number == 1 else f"{name}:{number}"
 
 
@@ -65,6 +66,7 @@ Align3: TypeAlias = bd.Align | tuple[bd.Align, bd.Align, bd.Align]
 COLOR = "_color"
 
 
+# base of shapes that can be pickled with their colour
 class _Pickled:
     def __getstate__(self) -> dict[str, Any]:
         """Return the state with colours as numbers, because the kernel's colours cannot be pickled."""
@@ -80,6 +82,7 @@ class Layer(_Pickled, bd.Solid):
     """A sheet of a bent strip."""
 
 
+# base of shapes that keep their joints when they are moved
 class _Jointed(_Pickled):
     def _apply_transform(self: Any, transformation: Any) -> Any:
         """Return the transformed object with its joints, which build123d would otherwise leave behind."""
@@ -225,6 +228,7 @@ class _StripShape(_Jointed, StripBody):
         return plain
 
 
+# base of joints that move the end of a strip
 class _TravelJoint:
     travel: "Travel"
     parent: Any
@@ -349,7 +353,7 @@ class AngleSlider(_TravelJoint, bd.RevoluteJoint):
         self.travel = travel_of(rib, end, angle)
         place = bd.Location(occt.make_location(self.travel.place))
         body: Any = rib
-        self._home = body.location.inverse() * place
+        self._home = body.location.inverse() * place  # frame of the end, relative to the body
         super().__init__(
             "slider",
             rib,

@@ -287,6 +287,7 @@ def _workplane_strip(
     local = form != "bent" or bool(points)
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
+    # `eachpoint` calls `at_place` at all places for the first body, then for the next
     remaining = iter([body for body in bodies for _ in places])
     placed = []
 

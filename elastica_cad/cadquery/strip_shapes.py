@@ -42,6 +42,7 @@ def make_location(frame: Frame) -> cq.Location:
 
 
 def _query_name(name: str) -> str:
+    # CadQuery's queries permit only letters, digits and "_", and a letter first
     plain = re.sub(r"\W", "_", name, flags=re.ASCII)
     return plain if plain[:1].isalpha() else f"strip_{plain}"
 
@@ -56,6 +57,7 @@ def free_name(name: str, assembly: cq.Assembly) -> str:
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
 """Drawn curve, or a finished strip, which is not computed again."""
 
+# attributes of a shape that its copies and its pickle keep
 COPIED_ATTRIBUTES = ("_made", "_joints", "_label", "label", "color")
 
 
@@ -81,7 +83,10 @@ class _Layer(_Pickled, cq.Solid):
 
 
 class _Moved(_Pickled):
-    """Shape that gives the data and joints of a strip to its copies."""
+    """Shape that gives the data and joints of a strip to its copies.
+
+    `_joints` are relative to the location of the shape.
+    """
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
 
@@ -101,6 +106,7 @@ class _Moved(_Pickled):
     def _apply_transform(self, Tr: Any) -> Any:
         image = self._with_record(super()._apply_transform(Tr))
         if isinstance(image, type(self)) and "_made" in self.__dict__:
+            # joints are moved in space, and made relative to the location of the image
             here, back = self.location(), image.location().inverse
             image._joints = {
                 name: back * make_location(occt.moved_frame(_read_frame(here * at), Tr))
@@ -317,6 +323,7 @@ class _Ended(_StripShape, _Jointed):
         # the lap of a closed bent strip is a separate body
         if self.strip.is_closed and self._made.home is not None:
             tab = 0.0
+        # middle of the end face, at the outer edge of the tab
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
         return min(self.Faces(), key=lambda face: (_middle_of_corners(face) - tip).Length)
 
@@ -338,6 +345,7 @@ class Sheets(cq.Compound):
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
+        # `args` is iterated, which would split this compound
         result: cq.Shape = super()._bool_op((self,) if args is self else args, *others)
         return Sheets(result.wrapped) if isinstance(result, cq.Compound) else result
 
@@ -500,6 +508,7 @@ def end_fixture(
 
 
 def _shapes_and_plane(path: Drawn) -> tuple[Any, dict[str, Any]]:
+    # return the drawn shapes and, for a Workplane, its plane as the option `workplane`
     if not isinstance(path, cq.Workplane):
         return path, {}
     return [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals(), {"workplane": path.plane}

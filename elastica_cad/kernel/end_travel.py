@@ -59,7 +59,7 @@ class SkinMesh:
         x, y, up = self.places.T
         s = np.clip(x, 0.0, rod.length)
         along = unit_vectors(np.interp(s, rod.s, rod.angle))
-        right = -left_of(along)
+        right = -left_of(along)  # the upper face of the flat strip is to the right of the curve
         course = CubicHermiteSpline(rod.s, rod.position, unit_vectors(rod.angle))
         plane = course(s) + (x - s)[:, None] * along + up[:, None] * right
         facing = self.normals[:, :1] * along + self.normals[:, 2:] * right
@@ -103,6 +103,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
     The centre of the arc is the origin.
     """
+    # z is across the strip; the other two columns are replaced below
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
     # tabs are straight, and their points have angles outside the arc
@@ -113,7 +114,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
         on_tab = (sign * (turn - end) > 0) & (np.abs(off) < radius / 2) & (beyond > 0)
         flat[on_tab, 0] = end * radius + sign * beyond[on_tab]
         flat[on_tab, 2] = off[on_tab]
-        turn[on_tab] = np.nan
+        turn[on_tab] = np.nan  # these points are done
     bent = np.isfinite(turn)
     flat[bent, 0] = turn[bent] * radius
     flat[bent, 2] = norm(points[bent, :2]) - radius
@@ -121,6 +122,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
+    # return unit normals (n, 3) at the corners: means of the adjacent triangles, weighted by their areas
     a, b, c = places[corners.T]
     normals = np.zeros_like(places)
     np.add.at(normals, corners.T, np.cross(b - a, c - a))

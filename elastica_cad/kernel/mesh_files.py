@@ -48,6 +48,7 @@ PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
 """Largest distance of triangles from faces, mm, for printing and for display, and largest angle between
 successive segments of an edge, rad."""
 
+# record of a triangle in a binary STL file
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 

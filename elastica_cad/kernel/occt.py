@@ -136,6 +136,7 @@ def face_frame(face: Shape) -> Frame:
 
 
 def _frame_of(axes: Any) -> Frame:
+    # return the frame of a gp_Ax3; a left-handed one gets the y axis of a right-handed frame
     x, z = coordinates(axes.XDirection()), coordinates(axes.Direction())
     return Frame(coordinates(axes.Location()), x, np.cross(z, x))
 

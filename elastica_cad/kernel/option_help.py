@@ -39,6 +39,7 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     >>> list(signature(block).parameters)[:2]
     ['clearance', 'wall']
     """
+    # type and help text by name; the first dictionary is last, so that its texts remain
     keys = {
         name: (get_args(hint)[0].__forward_arg__, get_args(hint)[1])
         for option in reversed(options)

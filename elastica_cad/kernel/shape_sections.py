@@ -113,6 +113,7 @@ def _thinned(points: FloatArray) -> FloatArray:
     samples[0] = 0
     todo = list(zip(samples[:-1].tolist(), samples[1:].tolist(), strict=True))
     indices = set(samples.tolist())
+    # between the points a and b, keep the point farthest from the chord until all are near enough
     while todo:
         a, b = todo.pop()
         if b - a < 2:

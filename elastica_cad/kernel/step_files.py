@@ -126,6 +126,7 @@ def _with_wires_apart(shape: Shape) -> Shape:
         touching = _touching(wires)
         if not touching:
             continue
+        # a face with only the wires that share vertices, because all pairs of its wires are compared
         few, builder, split = face.EmptyCopied(), k.BRep_Builder(), k.ShapeFix_SplitCommonVertex()
         for number in touching:
             builder.Add(few, wires[number])
@@ -139,7 +140,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
     """Convert shapes to STEP entities without checks of their wires, by means of a new controller.
 
-    The later transfer of the document reuses these entities.
+    The controller of a writer asks for these checks, which are slow for many wires, and OCP cannot switch them off.
+    A controller that no writer has set up does not ask. The later transfer of the document reuses these entities.
     """
     session = writer.ChangeWriter().WS()
     session.SetController(kernel().STEPCAFControl_Controller())
@@ -212,7 +214,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
     shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     colors = k.XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     k.XCAFDoc_DocumentTool.SetLengthUnit_s(document, 0.001)
-    drawn: dict[int, Any] = {}
+    drawn: dict[int, Any] = {}  # label of each shape in the document, by the id of the shape
     for part in parts:
         if id(part.shape) not in drawn:
             label = shapes.AddShape(bare(part.shape), False)

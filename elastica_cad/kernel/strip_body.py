@@ -263,6 +263,7 @@ class StripBody:
             self._made = replace(made, strip=made.strip.labelled(label))
 
     def _start(self) -> Frame | None:
+        # return the present frame of the joint "start", or None for a body without it
         raise NotImplementedError
 
     @property
@@ -305,6 +306,7 @@ class StripBody:
 
     @property
     def _changed_color(self) -> tuple[float, ...] | None:
+        # colour that the user has set, or None if the body has the colour of its sheet
         color = color_numbers(self.color) if self._is_strip and self.color is not None else ()
         usual = (*sheet_color(self.strip.sheet), 1.0)
         # components of equal colours differ by rounding errors
@@ -345,6 +347,7 @@ class StripBody:
         return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, tuple[float, ...]]]:
+        # yield shape, name and colour of each sheet of the bent strip
         from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self._made.name, self.strip)
@@ -366,6 +369,7 @@ class StripBody:
         return upper.carried(FlatSolid.of(self.strip).joints["start"], now)
 
     def _backing_of(self, layers: Sequence[T]) -> T:
+        # `layers` are the sheets of this strip, the base first
         if len(self.strip.layers) == 1:
             raise InputError("The strip has no backing. Use style=Laminated(width=..., backing=...).")
         return layers[1]

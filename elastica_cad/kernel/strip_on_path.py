@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from elastica_cad.strip.strip_spec import StripSpec
 
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
+# for names that users may try, the way in which the option is passed
 GIVEN_OTHERWISE = {
     "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
     "thickness": 'sheet="birch-plywood-0.8" or ec.Sheet(..., thickness=0.8); the sheet has the thickness',
@@ -124,6 +125,7 @@ def make_strip_on(
     if isinstance(path, PlaneCurve):
         curve, frame = path, frame or Frame()
     else:
+        # rotation from the global axes to those of the workplane
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
     width = options.get("max_width")
@@ -239,6 +241,7 @@ def section_requests(
 
 @lru_cache(maxsize=64)  # enough for a few models
 def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
+    # return the strip, and its largest distance, mm, from the drawn curve
     from elastica_cad.form_finding.nearest_record import NearestRod
 
     rod = solve_rod(spec.rod_spec)

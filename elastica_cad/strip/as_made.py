@@ -84,10 +84,12 @@ def rod_as_built(
     if layout.section is not None:
         section = layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     relative_stiffness = rod.profile(s)
+    # designed stiffness divided by that of the cut strip, at each station
     softer = layout.bending_stiffness * relative_stiffness / section.bending_stiffness(parameter)
     EI = layout.bending_stiffness * _node_stiffness(rod, relative_stiffness) / _cell_means(softer, n)
     if added_lengths:
         EI = EI * _cut_factors(added_lengths, rod)
+    # a rod has K >= 1, and its point forces are divided by E I for K = 1
     least = float(EI.min())
     softer_by = layout.bending_stiffness / least
     loads = tuple(replace(load, force=softer_by * load.force) for load in rod.point_forces)
@@ -120,6 +122,7 @@ def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
 
 
 def _cell_stations(rod: Rod) -> FloatArray:
+    # return the stations (CUTS (n - 1),), mm: the middles of `CUTS` equal parts of each edge of the rod
     return midpoints(np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1))
 
 
@@ -156,6 +159,7 @@ def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> Floa
     A cut is given as (position, added length), mm.
     """
     at, lengths = np.array(added_lengths).T
+    # each added length is divided between the nodes before and after it
     node = (at / rod.length).clip(0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
     after = node - before
@@ -247,6 +251,7 @@ def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
 
 
 def _curl(rod: Rod, layout: Layout) -> Curl | None:
+    # return the effect of curling on the nodes of the designed rod, or None without effect
     factor = _curl_factor(rod, layout)
     return None if factor is None else Curl(factor(rod.curvature), factor)
 
@@ -286,6 +291,7 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
         changed_rod = replace(changed_rod, bending_stiffness=B * float(changed.min()))
     if built.gravity is None:
         return changed_rod
+    # without a `Weight`, the weight is proportional to the stiffness: B / l^3 for the elasto-gravity length l
     weight = built.weight or Weight(beta=B / built.gravity.length**3)
     alpha, beta = weight.along(built.s)
     newtons = Profile.interpolate(built.s, alpha + beta * K)
@@ -309,6 +315,7 @@ def _lengths_added_by_slots(
 
 
 def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
+    # return the positions, mm, of the first two slots that are closer together than they are deep, or ()
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
@@ -361,6 +368,7 @@ def _lengths_added_by_steps(layout: Layout, corner: float) -> Iterator[tuple[flo
 
 
 def _curling_width(layout: Layout, s: FloatArray) -> FloatArray:
+    # return the width (n,), mm, of the strip or of each ligament, which curls by itself
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     return layout.material(s) / pieces
 
@@ -530,6 +538,7 @@ class StripAsMade:
             *([Contribution(note("effects that the widths do not compensate"), together)] if corrected else
               [Contribution(note(cause), min(mm, together), key) for cause, mm in parts.items()]),
         ]  # fmt: skip
+        # holders by the turn of their tab; the holder of the tab that turns most is named
         turned = {abs(pose.turn): seat for seat, pose in zip(seats, poses, strict=True) if seat is not None}
         if turned:
             loosest = turned[max(turned)]
@@ -555,6 +564,7 @@ class StripAsMade:
 
         `rod` is the shape in the designed slots. Both errors turn the tabs, so they are computed together.
         """
+        # added clearance, mm: a row for each seat, with columns for thinner tabs and for wider slots
         rooms = np.array([
             (0.0, 0.0) if seat is None else
             (tolerance.thickness_wave * seat.thickness, tolerance.kerf * seat.cut) for seat in seats
@@ -566,6 +576,7 @@ class StripAsMade:
             for seat, room in zip(seats, rooms.sum(axis=1), strict=True)
         )
         loose, _ = self._rest_in((start, end))
+        # the deviation is divided in proportion to the clearances
         far = deviation_from(rod, loose.position) * rooms.sum(axis=0) / rooms.sum()
         return dict(zip(("thinner tabs", "wider slots"), far.tolist(), strict=True))
 
@@ -614,6 +625,8 @@ class StripAsMade:
         design, stack = self.design, self.layout.stack
         if stack is None:
             return np.zeros((design.s.size, 2))
+        # `aside` is the distance of the neutral axis from the full-length ply, `off` is this distance as a vector,
+        # and `axis` is the sum of the jumps of the neutral axis along the strip
         aside = (stack.counts(design.s) - 1) * stack.sheet.thickness / 2
         normals = left_of(unit_vectors(design.angle))
         between = midpoints(normals)
@@ -633,6 +646,7 @@ class StripAsMade:
         curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
         bends = {cause: elastic * (1 / factor - 1) for cause, factor in {**self.factors, **curl}.items()}
         if self.approximated:
+            # stiffness as cut, divided by the design
             share = (
                 self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.layout.bending_stiffness)
             )
@@ -647,6 +661,7 @@ class StripAsMade:
         )
         if not bends:
             return jumps
+        # at fixed edge angles, a further bend of the loose strip reduces its moment by the stiffness times the bend
         moved = shape_responses(loaded, -loaded.stiffness[:, None] * np.column_stack([*bends.values()]))
         return jumps | {
             cause: deviation_from(design, design.position + moved[:, k]) for k, cause in enumerate(bends)

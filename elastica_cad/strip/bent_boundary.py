@@ -189,7 +189,7 @@ class BentMap:
     knots : (m + 6,) array
         Clamped knots of the B-spline of degree 5 over arc length, mm.
     coefficients : (m, 4) array
-        Control points of C (mm) and N, in the coordinates of the curve's plane.
+        Control points of C (columns 0 and 1, mm) and N (columns 2 and 3), in the coordinates of the curve's plane.
     frame : Frame
         Plane of the curve in space.
     """
@@ -201,6 +201,7 @@ class BentMap:
     def frame_at(self, x: float) -> Frame:
         """Return the tangent plane at arc length x, as a frame whose x coordinate is the arc length."""
         row = self._spline(np.array(x))
+        # the tangent is to the right of the left normal N
         tangent = self.frame.direction(-left_of(row[2:]))
         return Frame(self.frame.point(row[:2]), tangent, self.frame.z_axis).shifted(x=-x)
 
@@ -231,6 +232,7 @@ class BentMap:
             even = pace(segment)
 
             def values(t: FloatArray, segment: Segment = segment) -> FloatArray:
+                # three columns, x, y and z in space, for each height
                 return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
 
             if even is None:
@@ -248,8 +250,9 @@ class BentMap:
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
         """Return the bent face at the height `up`, from y = `low` to `high`.
 
-        The parameters (u, v) of the face are (x, y) of the flat strip.
+        The parameters (u, v) of the face are (x, y) of the flat strip. The face is straight across the strip.
         """
+        # the control points (m, 2, 3) are those of C - up N, once at y = `low` and once at y = `high`
         plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
         local = np.empty((len(plane), 2, 3))
         local[:, :, :2] = plane[:, None]
@@ -263,6 +266,7 @@ class BentMap:
         """Arc lengths, mm, and curvatures of the centre line, 1/mm, at nine points of each span."""
         edges = np.unique(self.knots)
         s = np.linspace(edges[:-1], edges[1:], 9).ravel()
+        # N' = -kappa C'
         along, turn = np.split(self._spline(s, 1), 2, axis=1)
         return s, -(turn * along).sum(axis=1) / (along**2).sum(axis=1)
 
@@ -280,6 +284,7 @@ class BentMap:
         """
         (offset, speed), (first, last) = even, limits
         knots, counts = knot_runs(self.knots)
+        # parameters of the inner knots of map and segment, and numbers of continuous derivatives there
         t, continuity, degree = (knots[1:-1] - offset) / speed, DEGREE - counts[1:-1], DEGREE
         if isinstance(segment, Spline):
             knots, counts = knot_runs(segment.curve.knots)
@@ -291,6 +296,7 @@ class BentMap:
         order = order[(t[order] > first + near) & (t[order] < last - near)]
         t, continuity = t[order], continuity[order]
         if t.size:
+            # knots that coincide become one knot with the least continuity
             apart = np.flatnonzero(np.diff(t, prepend=first) >= near)
             t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
         # kernels fail to fillet edges of one or two spans
@@ -301,6 +307,8 @@ class BentMap:
 
 
 def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
+    # return the inner knots, and their continuity, after each span between `edges` is divided in three.
+    # `continuity` is that of the inner `edges`
     thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
     smoothness = np.full(thirds.shape, degree - 1)
     smoothness[1:, 0] = continuity
@@ -317,11 +325,13 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     NotConvergedError
         The curve could not be approximated to 1e-6 mm.
     """
+    # the curve of a rod may be slightly longer or shorter than the rod
     curve, scale = rod.curve, rod.curve.length / rod.length
     every = [(place.s / scale, place.continuity) for place in curve.breaks]
+    # (arc length, number c of continuous derivatives) of the breaks that are not too smooth to matter; N has c - 1
     breaks = [(s, c) for s, c in every if 0 < s < rod.length and c < DEGREE - 1]
     cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
-    # the centre line may be off by 1e-6 mm
+    # the centre line may be off by 1e-6 mm; an error of N is multiplied by the distance from the centre line
     tolerance = np.array([1e-6] * 2 + [SURFACE_TOLERANCE / reach] * 2)
 
     def values(s: FloatArray) -> FloatArray:
@@ -358,8 +368,9 @@ def _fit_spline(
 ) -> tuple[FloatArray, FloatArray]:
     """Return knots and coefficients of a spline that approximates a function within `tolerance`.
 
-    `tolerance` has a limit for each value of the function, and `smooth` the continuity at kinks. Spans are
-    divided until the error at five places of each span is within the tolerance.
+    `edges` are the ends of the first spans. `tolerance` has a limit for each column of the function. `smooth` has
+    the number of continuous derivatives at each kink, by its position. Spans are divided until the error at five
+    places of each span is within the tolerance.
     """
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
@@ -386,6 +397,7 @@ def _fit_spline(
 
 
 def _divide_spans(edges: FloatArray, counts: FloatArray) -> FloatArray:
+    # return the ends of spans (n + 1,) after span k is divided into `counts[k]` equal parts
     parts = counts.astype(int)
     width = (np.diff(edges) / parts).repeat(parts)
     return np.append(edges[:-1].repeat(parts) + numbers_in_groups(parts) * width, edges[-1])
@@ -398,7 +410,25 @@ Map: TypeAlias = Frame | BentMap
 class BoundaryMaker:
     """Builder of the boundary of a strip from the regions of its flat pattern.
 
-    The boundary is a surface at one height, or a solid between two heights.
+    The boundary is a surface at one height, or a solid between two heights. A corner has one vertex at each height,
+    and a piece has one edge at each height, with successive indices from the lowest height.
+
+    Attributes
+    ----------
+    corners : (k, 2) array
+        Corners of the flat pattern, mm.
+    maps : sequence of Frame or BentMap
+        Map of each interval of the pattern: a frame for a plane part such as a tab, or a `BentMap`.
+    heights : (low,) or (low, high)
+        Heights above mid-thickness or above the frame, mm.
+    vertices, edges, faces
+        Parts of the boundary that are added so far.
+    at_corner : dict of int to int
+        Index of the lowest vertex of each corner.
+    at_piece : dict of int to int
+        Index of the lowest edge of each piece, by the number of the piece.
+    posts : dict of int to int
+        Index of the edge through the thickness at each corner.
     """
 
     corners: FloatArray
@@ -472,6 +502,7 @@ class BoundaryMaker:
             below, above = _along(surface, (0.0, self.heights[1] - self.heights[0]))
             last, first = (StraightTrace((t, 0.0), (0.0, 1.0)) for t in (piece.last, piece.first))
             traces = [below, last, above, first]
+        # around the wall: along the lower edge, up, back along the upper edge (`low + 1`), and down
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
         self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
 
@@ -485,6 +516,7 @@ class BoundaryMaker:
             least, most = _y_limits(segment)
             # straight walls (to 1e-9 mm) are planes, because CAD kernels can fuse coplanar walls of adjacent strips
             if most - least < 1e-9:
+                # the normal is d/du cross d/dv, with u along the segment and v to the right of the curve
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
@@ -553,6 +585,7 @@ def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
 
 
 def _y_limits(segment: Segment) -> tuple[float, float]:
+    # return a range of y that contains the segment; that of a spline's control points may be too wide
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)
@@ -566,6 +599,7 @@ def _corners_at_ends(piece: SegmentPart) -> tuple[int, int]:
 
 
 def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+    # return points in space (k, levels, 3), mm: see `BentMap.points`
     if isinstance(shape, BentMap):
         return shape.points(flat, heights)
     return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)

@@ -63,11 +63,13 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     numbers = iter(range(len(segments)))
     rings = [list(islice(numbers, len(path.segments))) for path in paths]
     remaining = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
+    # round all corners; loops with sides that are too short are tried again without these sides
     while remaining:
         before = np.array([k for ring in remaining.values() for k in ring.sides])
         after = np.array([k for ring in remaining.values() for k in (*ring.sides[1:], ring.sides[0])])
         gaps = np.array([bool(gap) for ring in remaining.values() for gap in ring.gaps])
         before, after, places, corner_arcs = _corners(table, before, after, gaps, radius)
+        # each side remains between the parameters `first`, where an arc ends, and `last`, where the next arc begins
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[before], first[after] = places.T
         beyond = np.maximum(-first, last - 1) * sizes > CLOSE_MM
@@ -102,6 +104,7 @@ class _Ring:
     def without(self, short: set[int]) -> "_Ring | None":
         """Return the ring without the `short` sides, or None if fewer than two sides remain."""
         around = list(zip(self.sides, self.gaps, strict=True))
+        # begin at a side that remains, so that each omitted side is after one
         first = next((j for j, k in enumerate(self.sides) if k not in short), 0)
         sides: list[int] = []
         gaps: list[tuple[int, ...]] = []
@@ -146,11 +149,13 @@ def _corners(
     # pieces of a curve fitted to points meet at smaller angles
     sharp = (np.abs(turn) >= 0.02) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
+    # the centre of an arc is at the distance `side` (positive to the left) from both sides of the corner
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
+    # parameters (k, 2) of the ends of the arcs; at first, as if the sides were straight
     x = np.column_stack([1 - reach / norm(s), reach / norm(t)]).clip(0.0, 1.0)
     open_ = np.arange(before.size)
-    ends = np.zeros((4, before.size, 2))
+    ends = np.zeros((4, before.size, 2))  # position and velocity at the start of each arc, and at its end
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
     for _ in range(40):
         near, far = (
@@ -158,6 +163,7 @@ def _corners(
             for k, sides in enumerate((before, after))
         )
         ends[:, open_] = *near, *far
+        # difference of the two centres that the two sides give
         gap = _offset_points(*near, side[open_]) - _offset_points(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True
@@ -177,7 +183,7 @@ def _corners(
         open_ = open_[~given_up]
         if not open_.size:
             break
-    x[open_] = -1.0, 2.0
+    x[open_] = -1.0, 2.0  # outside the range: no arc was found
     start, leaving, end, entering = ends
     bulges = np.tan(turn_between(leaving, entering) / 4)
     arcs = [

@@ -414,7 +414,7 @@ def _opened(path: Path, tabs: HoldingTabs) -> list[Path]:
     corners, step = ends[np.abs(turns) > 0.05], length / count
 
     def off_corners(middle: float) -> float:
-        # the nearest place at least the width of a bridge from corners, or the middle if there is none
+        # return the nearest place at least the width of a bridge from corners, or the middle if there is none
         for shift in np.linspace(0.0, step / 4, 41):
             for at in (middle + shift, middle - shift):
                 if not np.any(np.abs((corners - at + length / 2) % length - length / 2) < tabs.width):
@@ -422,13 +422,17 @@ def _opened(path: Path, tabs: HoldingTabs) -> list[Path]:
         return middle
 
     middles = [off_corners((i + 0.5) * step) for i in range(count)]
+    # from each bridge to the next; the last part passes the start of the loop
     around_loop = pairwise([*middles, middles[0] + length])
     half = tabs.width / 2
     return [Path(_between(path.segments, ends, a + half, b - half)) for a, b in around_loop]
 
 
 def _between(segments: Sequence[Segment], ends: FloatArray, a: float, b: float) -> list[Segment]:
-    """Return the part of a loop between two arc lengths. The segments end at arc lengths `ends` (n,)."""
+    """Return the part of a loop between two arc lengths. The segments end at arc lengths `ends` (n,).
+
+    `b` may be up to twice the length of the loop, because a part may pass the start of the loop.
+    """
     pieces: list[Segment] = []
     for turn in (0.0, ends[-1]):
         for segment, end in zip(segments, ends + turn, strict=True):

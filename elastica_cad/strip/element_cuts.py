@@ -193,6 +193,7 @@ class _Bump:
         shape = self(low + (high - low) * FRACTIONS)
 
         def lack(peak: float) -> float:
+            # length added by the cut, minus the length that the stiffer bump saves
             saved = float((1 - 1 / (1 + peak * shape)).mean()) * (high - low)
             return cut.added_length(self.width * (1 + peak), sheet) - saved
 
@@ -254,6 +255,7 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
         if not isinstance(action.element, Tie):
             continue
         s, along = _crossings(rod, *rod.curve.at(action.s).position)
+        # the ends of the cord are on the strip, and are not crossings
         between = np.abs(s[:, None] - action.s).min(axis=1) > rod.length / rod.s.size
         if not between.any():
             continue
@@ -267,6 +269,7 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
                 apart=Length(apart), severity="warning",
             )  # fmt: skip
             continue
+        # distance of the two cords at each crossing, between the bottoms of the notches at both ends
         gaps = np.interp(along[between], (0, 1), width(action.s) - 2 * notch)
         if np.any(gaps <= wide):
             k = (gaps - wide).argmin()

@@ -107,7 +107,7 @@ def _in_pieces(segment: Segment, ramp: float, each: int) -> list[Segment]:
     """Return the smooth pieces of a segment. A side becomes `each` edges between its steps, if this is not 0."""
     if not isinstance(segment, Spline):
         return [segment]
-    curve, even = segment.curve, pace(segment)
+    curve, even = segment.curve, pace(segment)  # `even` is (offset, speed) of a long side, and else None
     bends = kinks(curve.knots, curve.degree, SMOOTH).tolist()
     if not bends and not (even and each):
         return [segment]
@@ -115,6 +115,7 @@ def _in_pieces(segment: Segment, ramp: float, each: int) -> list[Segment]:
     first, last = curve.domain
     inner = [*_joints(even[1], bends, ramp)] if even else [(kink, kink, kink) for kink in bends]
     if even and each:
+        # divide an approximated side only at ramps, which stand for steps of the width
         inner = [joint for joint in inner if joint[1] < joint[2]]
     joints = [(first, first, first), *inner, (last, last, last)]
     pieces: list[Segment] = []
@@ -161,7 +162,11 @@ def _approximated(side: PlaneCurve, offset: float, speed: float, count: int) -> 
 
 
 def _joints(speed: float, places: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield (middle, first, last) of each group of kinks closer together than `ramp`, mm."""
+    """Yield (middle, first, last) of each group of kinks closer together than `ramp`, mm.
+
+    `places` are the parameters of the kinks, in increasing order; the list is emptied. `speed` is the change of x
+    per change of the parameter.
+    """
     while places:
         first = last = places.pop(0)
         while places and (places[0] - last) * abs(speed) < ramp:
@@ -269,8 +274,9 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 class _Cutter:
     """Divides loops of a flat pattern at stations.
 
-    `loops` and `chains` are the closed and open pieces of each interval between stations. `seams` have the pieces
-    along the station lines, by the indices of their corners.
+    `loops` and `chains` are the closed and open runs of pieces, by the index of the interval between stations.
+    `seams` has the number and the line of each piece along a station line, by its lower and its upper corner.
+    `numbers` yields the next unused number of a piece.
     """
 
     stations: list[float]
@@ -296,6 +302,7 @@ class _Cutter:
         if len(set(intervals)) == 1:
             self.loops.setdefault(intervals[0], []).append([piece for _, piece in pieces])
             return
+        # begin at a change of the interval, so that no chain is divided at the start of the loop
         turn = next(k for k in range(len(pieces)) if intervals[k] != intervals[k - 1])
         for interval, run in groupby(pieces[turn:] + pieces[:turn], key=itemgetter(0)):
             self.chains.setdefault(interval, []).append([piece for _, piece in run])
@@ -310,6 +317,7 @@ class _Cutter:
             loops = [*self.loops.get(interval, []), *self._closed(interval, on_seam)]
             regions += [Region(interval, tuple(map(tuple, group))) for group in self._grouped(loops)]
         used = [piece.number for region in regions for loop in region.loops for piece in loop if piece.seam]
+        # every seam must have a region on both sides
         if len(used) != 2 * len(set(used)):
             raise InputError(
                 "holes, slots or edges of the flat part touch where a tab begins: move the holes and "
@@ -318,7 +326,11 @@ class _Cutter:
         return CutPattern(points, tuple(regions))
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
-        """Yield the parts of a segment between stations; at least two if the segment is `alone` in its loop."""
+        """Yield (segment, first, last, forward) for each part between stations, as in `SegmentPart`.
+
+        A segment that is `alone` in its loop has at least two parts, so that no edge begins and ends at one corner.
+        """
+        # clockwise arcs are reversed, because the parameter of a part must increase
         forward = not (isinstance(segment, Arc) and segment.sweep < 0)
         segment = segment if forward else segment.reversed()
         a, b = parameter_range(segment)
@@ -330,7 +342,7 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: SegmentPart) -> int:
-        """Return the interval of a piece; on a station line, the interval on its left."""
+        """Return the interval of a piece; on a station line, the interval to the left of the piece's direction."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
@@ -351,6 +363,7 @@ class _Cutter:
             loop = chains.pop(0)
             while loop[-1].end != loop[0].start:
                 row, step = self._run(loop[-1].end, interval, on_seam)
+                # follow the station line until a chain, or this loop, starts
                 starts = {chain[0].start: chain for chain in chains} | {loop[0].start: []}
                 k = row.index(loop[-1].end)
                 while row[k] not in starts:
@@ -385,6 +398,7 @@ class _Cutter:
         )
 
     def _seam(self, start: int, end: int, upward: bool) -> SegmentPart:
+        # return the piece between two corners of a station line; regions on both sides share its line and number
         low, high = (start, end) if upward else (end, start)
         if (low, high) not in self.seams:
             self.seams[low, high] = next(self.numbers), Line(self.points[low], self.points[high])
@@ -397,6 +411,7 @@ class _Cutter:
         areas = [cross(polygon, np.roll(polygon, -1, axis=0)).sum() for polygon in polygons]
         outer = [k for k, area in enumerate(areas) if area > 0]
         groups = {k: [loops[k]] for k in outer}
+        # every other loop is a hole
         for k, polygon in enumerate(polygons):
             if k not in groups:
                 home = next((o for o in outer if encloses(polygons[o], polygon[0])), outer[0])
@@ -429,6 +444,7 @@ def _crossings(segment: Segment, x: float) -> list[float]:
         angles = np.concatenate([turn + whole, -turn + whole])
         margin = ON_SEAM / segment.radius
         return [float(t) for t in angles if segment.start_angle + margin < t < segment.end_angle - margin]
+    # a spline is inside the convex hull of its control points
     across = segment.curve.control_points[:, 0] - x
     if across.min() > -ON_SEAM or across.max() < ON_SEAM:
         return []

@@ -229,6 +229,7 @@ def shape_responses(
     rows = discrete.constraint_rows
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
+    # required change of the held coordinates of the end
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
     # `rows` can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
@@ -301,6 +302,7 @@ def open_deviation(
     nu = sheet.poisson_ratio
     shear = even_shear_ratio(nu) / sheet.shear_ratio
     from_causes = sum(OPEN_FRACTIONS.get(cause, 0.0) * mm for cause, mm in parts.items())
+    # the combined effect of crowded slots is unknown, so the whole effect of slots counts as an error
     from_causes += parts.get("slots", 0.0) * crowded
     if approximated:
         from_causes += (OPEN_BUILT + OPEN_GRAINED * max(0.0, shear**0.5 - 1)) * length
@@ -393,12 +395,14 @@ def sheet_effects(
     """
     n, M = rod.s.size, rod.moment
     phases = 2 * np.pi * rod.s[:, None] / rod.length + np.pi * np.arange(PHASES) / PHASES
+    # changes of the moments (n, columns) by cause; a wave has a column for each phase, of which the worst counts
     wave = M[:, None] * np.cos(phases)
     # E I is proportional to the cube of the thickness
     changes = {"thickness": 3 * tolerance.thickness_wave * wave}
     # at the angle t to the grain, the compliance 1 / E grows at most by the fraction sin^2(t) (E / G - 2 nu - 2)
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:
+        # the compliance varies by fractions from 0 to `softer`
         changes["grain"] = softer / 2 * wave
     if feels_modulus(design):
         changes["modulus"] = (tolerance.modulus / (1 - tolerance.modulus) * M)[:, None]

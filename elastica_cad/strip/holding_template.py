@@ -295,7 +295,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
             direction = angle_of(action.force[0])
             normal = action.force / (action.size or 1.0)
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
-            normal = -normal
+            normal = -normal  # a rail is on the side from which it pushes
         contact = face = None
         if (bar := action.bar_direction(rod.curve)) is not None:
             normal = bar[None]
@@ -373,6 +373,7 @@ def holding_template(strip: Strip) -> Drawing:
     """
     ends, rod, elements = held_ends(strip), strip.rod, held_elements(strip)
     shape = Spline(rod.curve)
+    # the side of the chord that is drawn above would be below in the drawing
     upside_down = round(upward(heights_of_marks(rod.position, rod.s)) * float(rod.chord[0]), 6) < 0
     if rod.gravity is None and not elements and upside_down:
         x, y = ends[0].position + ends[1].position
@@ -412,6 +413,7 @@ def holding_template(strip: Strip) -> Drawing:
         Text((left, low - 1.8 * LETTERS_MM * row), line, LETTERS_MM, 0.0, MARK)
         for row, line in enumerate(drawn_text)
     ]
+    # name, its width in letter heights, and its middle
     names = [(name, 0.5, end.tip + LETTERS_MM * end.outward) for name, end in zip("12", ends, strict=True)]
     for held in elements:
         away = ARROW_MM if held.is_load else CROSS_MM

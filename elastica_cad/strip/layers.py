@@ -113,6 +113,7 @@ class Layer:
         line = np.arange(x.size).repeat(count)
         station = numbers_in_groups(count) + first.repeat(count)
         u = (at[station] - x[line]) / (x1 - x)[line]
+        # add y of chords that run to the left, and subtract it for chords to the right: the sum is the width
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
         # the outline counts as positive and holes as negative, whether a loop is clockwise or not
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
@@ -153,6 +154,7 @@ def cut_layers(
         return (base,)
     drawn = layout.backing.width
     held = fix_tab_widths(width, ends_held)
+    # the backing is cut only by slots whose inner end is on it
     inner_ends = [slot.center_line(width)[0][0] for slot in slots]
     reaching = [
         slot
@@ -215,6 +217,7 @@ def draw_layers(
 
 
 def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
+    # a slot is an open line, which is closed beyond the edge
     open_cuts = [rim.line for rim in layer.slots]
     loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
     return tuple(part for guide in guides for part in trim_off(guide, loops))
@@ -347,6 +350,7 @@ class LapPlates:
         """
         base, *more = layers
         at = s.clip(END_MM, layout.width.length - END_MM)
+        # widths of the outline, of the base as cut, and (`net_width`) of the base without holes under the plates
         wide, cut = layout.width(at), base.material(at)
         net_width = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
         glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
@@ -354,6 +358,8 @@ class LapPlates:
         compliance = np.zeros(s.size)
         on_base = self._covered(s, self.joints, base.sheet.thickness)
         on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
+        # fraction of the strip around each node, and its stack of sheets and widths: without plates, with a plate
+        # on the base (plates have no holes), and with a plate on the backing
         for share, stack in (
             (1 - on_base - on_backing, [(base.sheet, net_width), *glued]),
             (on_base, [(base.sheet, wide), (base.sheet, net_width), *glued]),

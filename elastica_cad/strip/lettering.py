@@ -19,7 +19,8 @@ CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
 LABEL_MM = 5.0  # largest height of the label of a strip, mm
 LEAST_LABEL_MM = 1.5  # least height of engraved names, mm; smaller names would not be legible and are omitted
 LABEL_SHARE = 0.4  # largest height of a label as a fraction of the available height
-_GAP = 1.6
+_GAP = 1.6  # gap between two letters in units of the alphabet
+# bulges, tan(turn / 4), of arcs by their letter in `glyphs.toml`; capitals turn to the right
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
 _BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
 
@@ -118,6 +119,7 @@ def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None)
     numbers = (str(number) for number in count(1) if str(number) not in taken)
     engraved = {}
     for name, text in texts.items():
+        # a name of accents only has no letters left
         legible = text not in seen and _glyphs().keys() >= set(text) and bool(text) == bool(name)
         engraved[name] = name if legible else given.get(name) or next(numbers)
         seen.add(text)
@@ -229,6 +231,7 @@ def centred_text(
 
 @lru_cache(maxsize=1)
 def _glyphs() -> dict[str, tuple[float, str]]:
+    # return the width of each character in units of the alphabet, and the code of its strokes
     import tomllib
 
     text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")
@@ -242,6 +245,7 @@ def _glyph(character: str) -> tuple[Path, ...]:
 
 @lru_cache(maxsize=256)
 def _span(character: str) -> tuple[float, float]:
+    # return the heights of the lowest and the highest point above the baseline, in units of the alphabet
     bounds = [stroke.bounds[:, 1] for stroke in _glyph(character)]
     if not bounds:
         return 0.0, 0.0
@@ -250,6 +254,8 @@ def _span(character: str) -> tuple[float, float]:
 
 
 def _strokes(code: str) -> Iterator[Path]:
+    # strokes are separated by ";", and their points "x,y" by spaces; a letter after a point makes the line to the
+    # next point an arc
     for stroke in filter(None, code.split(";")):
         tokens = stroke.split()
         bulges = [_BULGES.get(token[-1], 0.0) for token in tokens]

@@ -156,6 +156,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
         if best.deviation <= 1e-5 * design.length:
             break
         drift = best.rod.position - design.position
+        # `target` would remove the deviation to first order; `step` is the fraction of this change that is tried
         target = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
         trial = _correct(strip, basis, best.coefficients + step * (target - best.coefficients))
         if trial is None or trial.deviation >= best.deviation:
@@ -190,7 +191,7 @@ def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Corr
     return _CorrectedStrip(strip, coefficients, rod, deviation_from(design, rod.position))
 
 
-JOINT_STATIONS = 400
+JOINT_STATIONS = 400  # number of positions at which a joint may be
 
 
 @dataclass(frozen=True, eq=False)
@@ -352,6 +353,7 @@ class _Whole:
 
 
 def _tick(whole: _Whole, x: float) -> Path:
+    # return a mark across the layer at arc length x, mm, which ends before the edges
     half = 0.4 * float(whole.width(x))
     return Path.polyline([(x, -half), (x, half)])
 
@@ -408,6 +410,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
     places: list[tuple[float, ...]] = []
     for layer, most in zip(strip.layers, longest, strict=True):
+        # plates of two layers must not overlap
         for taken in (at for joints in places for at in joints):
             clear &= np.abs(s - taken) >= lap
         first, last = layer.outline.bounds[:, 0].tolist()
@@ -453,6 +456,7 @@ def _cheapest_joints(
     """
     if count < 1:
         return ()
+    # best[k] is the least cost of joints up to one at station k, and `came` has the station of the joint before it
     gap = s[:, None] - s[None, :]
     allowed = (gap <= stock) & (gap >= 2 * lap)
     best = np.where(s - first <= stock, cost, np.inf)
@@ -484,7 +488,8 @@ def make_within(
         The strip would break, and `ignore_limits` is False.
     """
     refuse_broken(strip, ignore_limits)
-    with suppress(InputError):  # `find_strip_faults` reports joints that do not fit
+    # if joints do not fit, `spliced` below raises the error, after all other faults
+    with suppress(InputError):
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)

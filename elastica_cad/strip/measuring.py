@@ -148,18 +148,21 @@ class Measuring:
         design, loaded = as_made.design, as_made.loaded
         n, M, s = design.s.size, loaded.moment, design.s
         phases = 2 * np.pi * s / design.length
+        # (cause, changes of the moments (n,) at fixed edge angles), as in `shape_responses`, for a unit amount.
+        # 1 % of thickness is 3 % of stiffness, and a clamp turned by 1 degree bends the last half edge
         moments = [("thickness", 0.03 * M * np.cos(phases)), ("thickness", 0.03 * M * np.sin(phases))]
         for k, name in enumerate(("start", "end")):
             turned = np.zeros(n)
             turned[-k] = np.radians(1.0) * loaded.stiffness[-k] / loaded.discrete.node_lengths[-k]
             moments.append((f"clamp at the {name}", turned))
         reversed_share = design.stiffness[::-1] / design.stiffness - 1
-        # reversing the strip changes its shape
+        # if the stiffness is symmetric, a strip that is mounted end for end cannot be recognized
         if np.abs(reversed_share).max() > 0.02:
             moments.append(("end for end", M * reversed_share))
         if as_made.curl is not None and strip.layout.backing is not None:
             over = as_made.curl.factor(-design.curvature) / as_made.curl.factor(design.curvature) - 1
             moments.append(("wrong side", M * over))
+        # these causes change no moment, but the distance of the ends or the weight below
         moments.append(("ends apart", np.zeros(n)))
         if loaded.gravity is not None:
             moments.append(("thinner sheet", np.zeros(n)))
@@ -177,6 +180,7 @@ class Measuring:
             change = {name: lengths[name] - unmoved[name] for name in unmoved}
             causes[cause] = (*causes.get(cause, ()), change)
         shape = points_at(np.linspace(0, n - 1, 61), np.arange(float(n)), design.position)
+        # error of the clamps, and turn of a shape that deviates by `expected` over its length
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         return cls(
             tuple(share * design.length for share in MARKS),
@@ -246,22 +250,26 @@ class Measuring:
         """
         from scipy.special import chdtri
 
+        # differences in standard errors; sums of their squares follow a chi-square distribution
         off = np.array([(measured[name] - self.expected[name]) / errors[name] for name in errors])
         squares = float(off @ off)
         improbable = squares > chdtri(len(errors), CHANCE)
-        likely = []
+        likely = []  # sum of squares that a cause leaves unexplained, and its message
         for cause, changes in self.causes.items():
             G = np.array([[change[name] / errors[name] for change in changes] for name in errors])
             answer = np.linalg.lstsq(G, off, rcond=None)[0]
             rest = float(np.sum((off - G @ answer) ** 2))
             size = float(np.linalg.norm(answer))
+            # `far` is True if the cause cannot explain the differences
             far = (
+                # a cause with as many amounts as readings would explain any readings
                 len(errors) <= len(changes)
-                # these causes have no amount
+                # these causes have no amount, so their fitted factor must be near 1
                 or (cause in ("end for end", "wrong side") and not 0.5 < answer[0] < 1.5)
                 # the thickness of a sheet varies by at most 6 %
                 or (cause == "thickness" and size > 6.0)
                 or (cause == "ends apart" and self._mirrors(size, changes[0]))
+                # the cause explains no more than chance, or leaves too much unexplained
                 or squares - rest < chdtri(len(changes), CHANCE)
                 or rest > chdtri(len(errors) - len(changes), CHANCE) + NONLINEAR**2 * squares
             )
@@ -290,6 +298,7 @@ class Measuring:
         readings."""
         from scipy.special import chdtri
 
+        # for each mistake, the right values of the readings that it changes
         lengths = {name: measured[name] for name in errors if name in LENGTHS}
         corrected: dict[str, dict[str, float]] = {
             slip: {name: scale * value for name, value in lengths.items()}
@@ -312,6 +321,8 @@ class Measuring:
                 yield rest, SLIPS[slip]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
+        # return True if a cause would move a mark by more than the largest height, as if the strip were mirrored.
+        # `change` has the changes of the expected values per unit of `amount`, which hold only for small changes
         heights = [name for name in self.expected if name.startswith("height")]
         largest = max((abs(self.expected[name]) for name in heights), default=0.0)
         return any(amount * abs(change[name]) > largest for name in heights)
@@ -332,7 +343,7 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
 
     The design decides which side of the chord is positive, see `upward`. Small changes of an S-shaped strip
-    therefore do not change the signs.
+    therefore do not change the signs. An angle is positive if the strip rises from that end towards its middle.
     """
     chord, side = position[-1] - position[0], upward(heights_of_marks(design))
     edges = np.array([position[1] - position[0], position[-1] - position[-2]])

@@ -95,6 +95,7 @@ class TSlot:
 
     def side(self, edge: float) -> list[tuple[float, float]]:
         """Return the corners of the lower half of the slot (y < 0), from the outer edge at x = `edge` inward."""
+        # y of the slot's side, y of the pocket's side, and x of the nut's face
         y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
         deep = edge - self.depth
         points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]
@@ -407,7 +408,7 @@ def _parts_between_jumps(width: Profile) -> list[Profile]:
     cuts = kinks(width.knots, k, 0)
     if not cuts.size:
         return [width]
-    pieces, first = [], 0
+    pieces, first = [], 0  # `first` is the index of the first knot and coefficient of the piece
     for cut in [*cuts, None]:
         last = width.coefficients.size if cut is None else int(width.knots.searchsorted(cut))
         pieces.append(Profile(width.knots[first : last + k + 1], width.coefficients[first:last], k))
@@ -420,11 +421,13 @@ def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
 
 
 def _without_small_shoulders(tab: Tab, width: float) -> Tab:
+    # return the tab with the width of the strip if the difference, or the tab's length, is too small: `SHOULDER_MM`
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
 
 def _end_widths(width: Profile) -> tuple[float, float]:
+    # the first and last coefficients of a clamped spline are its end values
     return float(width.coefficients[0]), float(width.coefficients[-1])
 
 

@@ -27,6 +27,7 @@ COLLAPSES = (
 
 
 def _weight(strip: Strip, share: float = 1.0) -> Weight:
+    # return the weight per length of the sections of the strip, times `share`
     section, parameter = strip.layout.section_at(strip.rod.s)
     return Weight(alpha=Profile.interpolate(strip.rod.s, share * section.weight_per_length(parameter)))
 
@@ -45,6 +46,7 @@ def bent_under(
     """Return the rest shape under a fraction of weight and loads, or None if the strip loses its stability."""
     rod, weight = strip.rod, None
     if gravity is not None:
+        # weight is proportional to 1 / length^3, and only a part of it may act in the plane of the curve
         weight = _weight(strip, fraction * (strip.sheet.elasto_gravity_length / gravity.length) ** 3)
     heavy = replace(
         rod, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness, warnings=()

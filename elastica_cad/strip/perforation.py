@@ -148,10 +148,12 @@ class DiamondPattern:
         return tuple(loops)
 
     def _margin(self, tab: Tab, s: float) -> float:
+        # return the distance, mm, of the holes from the end at `s`: 0 beside a tab as wide as the strip
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
     def _divide_at_slots(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
+        # return the parts of a row in which its hole number j is clear of the cuts of slots
         rows = [row]
         for cut in cuts:
             rows = [part for piece in rows for part in self._divide_at_slot(piece, j, cut)]
@@ -162,6 +164,7 @@ class DiamondPattern:
             return [row]
         (low, _), (high, _) = cut.bounds
         sides = row.within(-np.inf, low - self.clearance), row.within(high + self.clearance, np.inf)
+        # shorter parts are omitted
         return [side for side in sides if side is not None and side.length > 2 * self.clearance]
 
     def _apart(self, loop: Path, cut: Path) -> bool:
@@ -184,6 +187,7 @@ class DiamondPattern:
 
         Each extends between tips, half a bridge from a joint, and overlaps half of the next row.
         """
+        # row i is between the joints i - 1 and i + 1, if they exist
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -221,6 +225,7 @@ class DiamondPattern:
     def _values(self, s: FloatArray) -> FloatArray:
         """Return the columns (n, 3): outline width, net width and width of a full diamond, mm."""
         w, m = self.width(s), self.material(s)
+        # k is the index of the half row; its ends are solid over half a bridge, except at the ends of the strip
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.floor(s / half).clip(0, last)
         before, after = np.where(k > 0, self.bridge / 2, 0.0), np.where(k < last, self.bridge / 2, 0.0)
@@ -231,7 +236,11 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges."""
+    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges.
+
+    `stretches` are its parts along the strip. `full` is True for full diamonds. `lost` is the length, mm, that ends
+    and slots have cut off. `sides` has the lower and the upper side of each hole, for each stretch.
+    """
 
     stretches: tuple["_Stretch", ...]
     columns: int
@@ -240,6 +249,7 @@ class _Row:
 
     @property
     def across(self) -> int:
+        # number of holes side by side
         return self.columns if self.full else self.columns + 1
 
     @property
@@ -261,6 +271,7 @@ class _Row:
         return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
+        # return hole number j, counted from the lower edge, as a closed loop
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
@@ -295,6 +306,7 @@ class _Stretch:
         Lower sides are directed along x, and upper sides against x.
         """
         w, m, diamond = self.values.T
+        # widths of a ligament, of a full diamond at its widest station, and of a diamond in a gap
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
         step = 2 * t + pitch
@@ -394,6 +406,7 @@ class Perforated:
         material = rod.profile.scaled(scale / fit.section.rigidity)
         # diamonds are three times as long as the spacing of the columns
         rows = self.rows or max(1, round(rod.length * self.columns / (3.0 * float(fit.w.mean()))))
+        # bridges and clearances are as wide as the narrowest ligament
         pattern = DiamondPattern(
             outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
@@ -405,6 +418,7 @@ class Perforated:
         slopes = pattern.slopes(s)
         i = slopes.argmax()
         if slopes[i] > np.tan(STEEP_RAD):
+            # length of a row whose sides have the allowed slope; slopes are inversely proportional to `side_length`
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             yield note(
                 "the ligaments (material between holes) {s} from the start are inclined by {angle:.0f}, "
@@ -442,11 +456,13 @@ class _Fit:
     """Range of the scale, N mm2, in which the net widths fit the outline.
 
     Ligaments and the largest part of holes limit it. `s`, `w` and `K` are stations, mm, with the width of the
-    outline, mm, and the relative stiffness.
+    outline, mm, and the relative stiffness. `holes` is the least total width of the holes, mm. `by_ligaments` and
+    `by_ratio` are the ranges due to the two limits.
     """
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
+        # the narrowest holes are the half diamonds at the edges, half as wide as the n full diamonds
         self.holes = 2 * style.columns * style.least_hole
         s = stations_of(rod.length, outer, rod.profile)
         self.s = refine_stations(s, outer(s) / rod.profile(s), (outer(s) - self.holes) / rod.profile(s))
@@ -472,6 +488,7 @@ class _Fit:
         most = self.section.bending_stiffness(room)
         least = self.section.bending_stiffness((1 - style.hole_ratio) * self.w)
         self.by_ratio = ScaleRange.of(least, most, self.K)
+        # both ranges have the same upper limit, from the least width of the holes
         self.lowest = max(self.by_ligaments.lowest, self.by_ratio.lowest)
         self.highest = self.by_ligaments.highest
 
@@ -482,6 +499,7 @@ class _Fit:
         """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise FaultError(self._infeasible())
+        # E I per mm of net width, and extremes of K: the net width is scale * K / rigidity
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
         scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
         if self.rod.bending_stiffness is not None:
@@ -543,6 +561,7 @@ class _Fit:
             ))  # fmt: skip
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
         if self.by_ratio.lowest > self.by_ligaments.lowest:
+            # largest fraction of the width that the holes take at the highest possible stiffness
             share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
             ways.append(
                 note(
@@ -582,9 +601,11 @@ class _Fit:
         return i, max(by_ligaments, self.holes / share_of_holes)
 
     def _has_varying_outline(self, i: int) -> bool:
+        # return True if the outline's width varies noticeably, relative to its width at station i
         return bool(np.ptp(self.w) > SEEN_APART * self.w[i])
 
     def _would_do(self, columns: int) -> bool:
+        # return True if the ligaments fit the outline with this number of columns
         section = PerforatedSection(
             self.section.sheet, ligaments=2 * columns + 2, least_ligament=self.style.least_ligament
         )

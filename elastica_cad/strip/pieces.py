@@ -53,6 +53,7 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
+    # return all numbers that determine the shape of a slot
     paths = [part.ravel() for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 
@@ -92,7 +93,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     """
     shapes = DistinctShapes()
     groups: dict[tuple[int, Hashable], list[int]] = {}
-    known: dict[int, list[int]] = {}
+    known: dict[int, list[int]] = {}  # group by the id of a strip, so that each strip is compared once
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
             marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)
@@ -178,7 +179,7 @@ class DistinctShapes:
     """Different shapes with indices from 0, sorted by length for fast comparison."""
 
     def __init__(self) -> None:
-        self._found: list[tuple[float, int, FlatShape]] = []
+        self._found: list[tuple[float, int, FlatShape]] = []  # length of the outline, mm, index, and shape
 
     def number(self, shape: FlatShape) -> int:
         """Return the index of an equal shape, or the next index for a new shape."""
@@ -193,6 +194,7 @@ class DistinctShapes:
 
 
 def _samples(path: Path) -> FloatArray:
+    # return six points (n, 2) of each segment
     return np.concatenate([segment.at(np.linspace(0.0, 1.0, 6, endpoint=False)) for segment in path.segments])
 
 

@@ -215,7 +215,8 @@ _Place: TypeAlias = tuple[int, float]
 class _Opening:
     """Opening of a slot in the outline.
 
-    The cut leaves the outline at `out` and returns to it at `back`. `points` are points along the cut.
+    The cut leaves the outline at `out` and returns to it at `back`. `cut` are its segments in between, and `points`
+    (k, 2), mm, are points along them.
     """
 
     slot: Slot
@@ -245,17 +246,23 @@ def cut_slots(
     edge = _Edge(outline)
     openings = sorted((edge.opening(slot, width, name) for slot in slots), key=attrgetter("out"))
     _refuse_meetings(openings, holes, name)
+    # openings are in the order of the outline, so the next cut must begin after this cut has returned
     for before, after in pairwise(openings):
         if after.out < before.back:
             raise InputError(_meeting(name, before.slot, after.slot))
     chain: list[Segment] = []
+    # the part of the outline before each opening, and the cut
     for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
         chain += [*_between(outline.segments, before.back, after.out), *after.cut]
     return Path(chain, closed=True)
 
 
 class _Edge:
-    """Edge of a strip at which slots open, as chords with their boxes for fast comparison."""
+    """Edge of a strip at which slots open, as chords with their boxes for fast comparison.
+
+    `chords` has the polyline of each segment. `low` and `high` (m, 2) are the corners of the boxes of all m chords,
+    and `owner` (m,) is the index of the segment of each chord.
+    """
 
     def __init__(self, outline: Path) -> None:
         self.chords = [Chords.of(segment) for segment in outline.segments]
@@ -269,7 +276,7 @@ class _Edge:
         """Return where a slot opens at the edge, extended beyond it until both its sides meet the edge."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
-        # the sides are extended until they meet the edge
+        # multiples of the slot's width; a slot that is not perpendicular to the edge needs a longer extension
         for reach in (1.0, 4.0, 16.0):
             chords = [Chords.of(part) for part in slot_cut(slot, width, beyond=reach * slot.width).segments]
             crossings = self._crossings(chords)
@@ -294,12 +301,13 @@ class _Edge:
                 strip=name,
                 at=Length(slot.at),
             )
+        # in the order of the cut; `a` and `b` are the places of the two crossings on the cut
         (first, a), (second, b) = sorted(crossings, key=itemgetter(1))
         points = np.concatenate([c.points for c in chords[a[0] : b[0] + 1]])
         return _Opening(slot, first, second, tuple(_between([c.segment for c in chords], a, b)), points)
 
     def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
-        """Return the places on the edge and on the cut at which they cross, each once."""
+        """Return the pairs (place on the edge, place on the cut) at which they cross, each once."""
         crossings: list[tuple[_Place, _Place]] = []
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
@@ -314,6 +322,7 @@ class _Edge:
 
 
 def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:
+    # return the part of a chain between two places. If `end` is before `start`, it passes the chain's end
     (i, u), (j, v) = start, end
     if i == j and u <= v:
         return _piece(chain[i], u, v)
@@ -322,6 +331,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
+    # return the part of a segment between two parameters, from 0 to 1, or nothing if it is a point
     if u1 - u0 < 1e-6 and norm(segment.at(u1) - segment.at(u0)) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -386,7 +396,10 @@ class Cut:
         return np.concatenate([points, points[:1]]) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
-        """Return True if this cut line crosses a box (4, 2), or if there is no material in the box."""
+        """Return True if this cut line crosses a box (4, 2), or if there is no material in the box.
+
+        `edge` (5, 2) is the closed polyline around the box.
+        """
         low, high = box_about(box)
         if np.any(np.all((self.points > low) & (self.points < high), axis=1)):
             return True
@@ -443,7 +456,7 @@ def mating_marks(
     """Return the names of the inserted parts, engraved at their slots, clear of cuts, `marks` and other texts.
 
     A name is at the inner end of its slot or beside the slot, as large as possible. A name that does not
-    fit is omitted.
+    fit is omitted. `slots` has each slot with its cut line, and `taken` are the texts that are there already.
     """
     cuts = Cuts(holes, marks, slots=[rim for _, rim in slots])
     boxes = [box_about(_text_box(text)) for text in taken]
@@ -496,6 +509,7 @@ def label_off_cuts(
     along = max(text_width(engravable(label), 1.0), 1e-9)
     largest = np.minimum(LABEL_SHARE * width(places), min(LABEL_MM, 0.8 * (high - low) / along))
     heights = np.outer(LABEL_SHARES, largest).ravel()
+    # `heights` has all places for each fraction in turn; the largest come first, rounded to 0.1 mm
     order = [int(k) for k in (-heights.round(1)).argsort(kind="stable") if heights[k] >= LEAST_LABEL_MM]
     tried = (
         (centred_text(label, (float(places[k % places.size]), 0.0), float(heights[k]), np.inf), near)
@@ -533,6 +547,7 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
+    # return True if a box (4, 2) is on the bent part, clear of all cuts and of the bounds `taken` of texts
     bounds = box_about(box)
     x = np.linspace(bounds[0, 0], bounds[1, 0], 9)
     if x[0] < 0 or x[-1] > width.length or np.abs(bounds[:, 1]).max() >= width(x).min() / 2:

@@ -180,6 +180,7 @@ def _misread_area(sides: Sequence[Spline]) -> float:
         rows = SplineFunction(curve.knots, curve.control_points, curve.degree)
         half = (last - first) / 2
         t = first + half * (points + 1)
+        # area that the line from the start to a point of the side sweeps
         swept = cross(rows(t) - side.start, rows(t, 1)) @ weights * half / 2
         off += abs(float(swept) - side.swept_area(side.start))
     return off
@@ -190,8 +191,10 @@ def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | Ro
     section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
     assert size is not None
     view = side_view(strip, bent=bent)
+    # plane of the side view, and direction across the strip at the joints
     upright, across = frame, frame.z_axis
     if not bent:
+        # the width of a flat strip is along y of `frame`, and its lowest point is at z = 0
         lowest = float(view.bounds[0, 1])
         upright, across = Frame(frame.shifted(z=-lowest).origin, frame.x_axis, frame.z_axis), frame.y_axis
     ends = zip(("start", "end"), *places_of_ends(strip, bent=bent), (-1, 1), strict=True)
@@ -244,6 +247,7 @@ class BentSolid:
         to the upper face. The x axis is along the strip; at the ends it points outward. "hole1:top" and
         "hole1:bottom" are on the faces of the strip, with z outward.
         """
+        # ends of the intervals; a joint at an end belongs to the interval before it
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         frames = {}
         for name, (x, y, sign) in self.places.items():
@@ -324,6 +328,7 @@ class BentSolid:
         )  # fmt: skip
         if strip.ends[1].length:
             width, tab = strip.end_widths[1], fix_tab_widths(strip.width, strip.ends)[1]
+            # heights are positive to the right, and the inside of a left bend is on the left
             inside = -1.0 if rod.curvature[0] > 0 else 1.0
             low, high = sorted((inside * thickness / 2, inside * 1.5 * thickness))
             lap = Path(close_chain(tab.corners(width)), closed=True)
@@ -471,6 +476,7 @@ def convex_corners(points: FloatArray) -> FloatArray:
     # twice the area of the triangle of three points that count as collinear
     least = 1e-14 * float(np.ptp(in_order, axis=0).max()) ** 2
     corners: list[list[float]] = []
+    # the lower chain from left to right, then the upper chain back; each ends where the next begins
     for row in (in_order.tolist(), in_order[::-1].tolist()):
         corners = corners[:-1]
         first = len(corners)

@@ -198,6 +198,7 @@ class Shoulder:
             )
         if least is None:
             return note("Make the curve gentler there, and the tab wider.")
+        # `at` is 0 at the start
         wider = f"{{ width = {least:g}, ... }}"
         tabs = ("{ ... }", wider) if self.at else (wider, "{ ... }")
         return note(
@@ -239,6 +240,7 @@ def _overstrained_tabs(
         width = float(layout.width(at))
         if not tab.length or tab.width is None or tab.width > width - SHOULDER_MM:
             continue
+        # in both arrays, the end of the strip is first, and the tab second
         widths = np.array([layout.material(at), tab.width])
         glued = None if layout.backing is None else np.array([layout.backing.width(at), tab.width])
         section, parameter = layout.section_of(widths, glued)
@@ -293,6 +295,7 @@ def _warn_of_strains(
         at = layer.station
         judged = layer.judged(bends.place(at))
         if not judged.allowed:
+            # change of curvature, 1/mm, at which the layer would reach its limit
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
             radius, least = distinct_digits(1 / bend[at], rounded_up(1 / bearable, 3), ".3g")
@@ -590,6 +593,7 @@ class Strip:
         """
         bent = object.__new__(type(self))
         vars(bent).update({field.name: getattr(self, field.name) for field in fields(self)})
+        # the cached properties are set, because the layout is that of the design, and the loads stay
         vars(bent).update(rod=rod, rod_to_bend=rod, layout=self.layout, _unloaded=None)
         return bent
 
@@ -670,6 +674,7 @@ class Strip:
 
     @property
     def _most_strained(self) -> tuple[LayerStrain, Bends]:
+        # the `most_strained` layer, and the bends at the stations of its strains
         layers = ((layer, bends) for _, bends, strains in self._loadings for layer in strains)
         return max(layers, key=lambda item: item[0].largest / item[0].limit)
 
@@ -772,6 +777,7 @@ class Strip:
         known = _unloaded.setdefault(self.rod, {})
         if self._section_key not in known:
             try:
+                # an unstable shape is replaced by the shape into which the strip snaps: see `unloading_warnings`
                 known[self._section_key] = bend(self.rod_to_bend, loads=(), settle=True)
             except (InputError, NotConvergedError) as problem:
                 known[self._section_key] = problem
@@ -779,6 +785,7 @@ class Strip:
 
     @property
     def _section_key(self) -> Hashable:
+        # key of all fields, besides the rod, that determine the cross sections
         key: Hashable = value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
         return key
 

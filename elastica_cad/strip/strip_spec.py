@@ -99,6 +99,7 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
 
 
 def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
+    # multiply masses by the fraction of weight that acts in the plane; forces and a `Weight` are used unchanged
     if isinstance(loads, Weight):
         return loads
     return tuple(
@@ -107,7 +108,11 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`. `share` is the fraction that acts in the plane of the curve."""
+    """Return the weight for `optimal_rod`, or None if there are no loads that need one.
+
+    `share` is the fraction that acts in the plane of the curve. With point forces in N, the strip's own weight
+    also counts in N.
+    """
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -162,7 +167,9 @@ def _check_section(
 ) -> None:
     """Refuse options that conflict with a section, and another sheet.
 
-    `sized` is True if a width is given.
+    A section has its own limits, so it needs the plain style without widths (`sized` is True if a width is given).
+    Only a section whose width varies (`PlainSection`) allows slots, compensated widths and shaped tabs, because a
+    planed, turned or stacked strip has no cut-outs. Tabs with only a length are always allowed.
     """
     shaped = bool(slots) or compensate or any(tab != tab.plain for tab in ends)
     shaped = shaped and section.quantity != "width"
@@ -722,6 +729,7 @@ class StripSpec(EqualByValue):
     @cached_property
     def run_ins(self) -> StraightEnds:
         """Drawn curve, divided into its bent part and straight ends that become tabs."""
+        # without smoothing, a curve with corners is refused later
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
         return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
@@ -768,6 +776,7 @@ class StripSpec(EqualByValue):
         if not sized or not self.loads or self.section is not None or not isinstance(self.style, Plain):
             return None
         least, cuttable = self.min_width or 0.0, self.shop.width_for(self.material)
+        # if even `max_width` cannot be cut, the fault of the finished strip is reported later
         if self.max_width is not None and not self.ignore_limits and cuttable < self.max_width:
             least = max(least, cuttable)
         return PlainSection(self.material, least, self.max_width or np.inf)
@@ -780,7 +789,7 @@ class StripSpec(EqualByValue):
         `RestCurvature`, the seam is at the start of the drawn curve.
         """
         curve = self.run_ins.bent
-        # a curve with corners is refused later, when the rod is computed
+        # without smoothing, a curve with corners is refused later, when the rod is computed
         if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:
@@ -801,6 +810,8 @@ class StripSpec(EqualByValue):
 
     @property
     def _plate(self) -> PlainSection:
+        # section of a solid strip that compensates anticlastic bending. With `max_width`, the widths follow from
+        # it, and `min_width` is a limit that the style checks
         least = 0.0 if self.max_width else self.min_width or 0.0
         return PlainSection(self.material, least, self.max_width or np.inf)
 
@@ -813,8 +824,10 @@ class StripSpec(EqualByValue):
         section: Section | None = self.section
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
+        # without weight and stability margin, the section does not change the rod, and `bend` adds it later
         if section is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
             section = self._plate
+            # the gravity of the request determines the weight, which is proportional to 1 / length^3
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if section is None and felt is None and isinstance(self.style, Laminated):
             changes = self.limits is not None or self.keep is not None
@@ -847,6 +860,7 @@ class StripSpec(EqualByValue):
                     thickness=self.material.thickness, poisson_ratio=self.material.poisson_ratio,
                 )  # fmt: skip
                 ratio = max(1.0, ratio / float(stiffening))
+            # the limits get the smaller of both ranges of widths
             if limits.width is None or ratio < limits.width[1] / limits.width[0]:
                 limits = replace(limits, width=(self.max_width / ratio, self.max_width))
         return limits
@@ -915,6 +929,7 @@ class StripSpec(EqualByValue):
         (12.0, None)
         """
         require_record(change, Change, "a change", "a Change")
+        # "nearest", "thickness", "elements" and "lap" are not fields; "between" has an element to add
         if change.field == "nearest":
             if self.may_change == bool(change.value):
                 return None

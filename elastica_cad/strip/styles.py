@@ -247,6 +247,7 @@ def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
 def _require_width_within(
     width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
 ) -> None:
+    # `slack` is the fraction by which a width may be beyond its limit
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")
@@ -340,6 +341,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
 
 def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
     """Return the stations `s` (n,) with additional stations near the local extremes of all `values` (n,)."""
+    # indices at which the slope of the values changes its sign
     turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
     # more extremes are rounding errors
     extremes = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:200]
@@ -379,9 +381,11 @@ def bends_along(rod: Rod) -> Bends:
         return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature
     panels = curve.smooth_panels
+    # equally many stations in each panel
     places = np.linspace(0.0, panels.size - 1.0, max(2001, rod.s.size))
     t = np.interp(places, np.arange(panels.size), panels)
     jumps = np.array([at.t for at in curve.breaks if at.continuity < 2])
+    # each jump is included twice: first with the curvature on its left, then with that on its right
     t = np.sort(np.concatenate([t, jumps, jumps]))
     kappa = curve.curvature_at(t)
     if jumps.size:

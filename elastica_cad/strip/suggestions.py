@@ -272,7 +272,7 @@ def suggest(
                     )
                     for change in islice(tried, MOST_TRIED)
                 )
-                found += islice(filter(None, held), 1)
+                found += islice(filter(None, held), 1)  # the first suitable change of this field
                 if len(found) == 4:
                     break
     except (KeyboardInterrupt, MemoryError) as error:
@@ -339,6 +339,7 @@ def _changes(
 
 
 def _moved_points(spec: StripSpec) -> Iterator[Change]:
+    # with straight ends or smoothing, the curve to bend is not the one that the control points draw
     if spec.run_ins or spec.smooth:
         return
     farthest = FAR_SHARE * _size(spec)
@@ -426,7 +427,7 @@ def _tested(
 
     `width` is a change of the width to be made with it.
     """
-    away, used, strips = [0.0], [0], []
+    away, used, strips = [0.0], [0], []  # deviations, mm, and strains, % of the limit
     widened = spec if width is None else spec.changed(max_width=width.value)
     requests = tuple(_requests(widened, change, sheet_size))
     for request in requests:

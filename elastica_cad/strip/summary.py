@@ -50,7 +50,7 @@ from elastica_cad.strip.holding_template import (
 )
 from elastica_cad.strip.strip import Strip
 
-LATER = "…"
+LATER = "…"  # text of a row that is not computed yet
 
 
 def strip_rows(
@@ -157,10 +157,12 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
     if strip.strain_warnings:
         return
     worst = other = strip.most_strained
+    # `states` are the strains of a layer with and without the loads; `other` is the one that is not the worst
     for states in zip(strip.strains, strip.unloaded_strains, strict=False):
         if worst in states:
             other = states[states[0] is worst]
     text = "{strain:.2f} at {at:.0f} from the start; {sheet} allows {limit:.2f}"
+    # both strains are printed if they differ in the printed digits of a percentage
     if round(1e4 * other.largest) != round(1e4 * worst.largest):
         text = (
             "{strain:.2f} at {at:.0f} from the start with the loads, {other:.2f} without them; {sheet} allows "
@@ -451,6 +453,7 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
 
 
 def _rounded_move(mm: float, most: float) -> Length | Refusal:
+    # return a movement as a text, or as "more than" or "less than" a limit
     if mm > most:
         return note("more than {limit}", limit=about(most))
     return about(mm) if mm >= SMALLEST_MOVE_MM else note("less than {limit}", limit=Length(SMALLEST_MOVE_MM))

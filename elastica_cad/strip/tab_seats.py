@@ -174,7 +174,7 @@ class TabSeat:
         """Return the angle, rad, by which the tab can turn to the left (`sense` 1) or right (-1) until it stops."""
         turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
-        (a, b), (c, d) = self.left.T, self.right.T
+        (a, b), (c, d) = self.left.T, self.right.T  # `into` and `left` of the points on both sides
         # largest shift of the turned tab to the left, at which its left face touches the holder
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         # range of shifts between contact on the right and on the left
@@ -183,7 +183,7 @@ class TabSeat:
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
             return float(STEEPEST_RAD)
-        k = jams[0]
+        k = jams[0]  # last step at which the tab fits; its room vanishes between the steps k and k + 1
         return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
 
 
@@ -243,6 +243,7 @@ class SeatedEnd:
     def sideways(self) -> FloatArray:
         """Derivatives (k, m), mm, of the gaps with respect to the angles of the tab's pieces."""
         into, _, side = self.seat.edges
+        # a piece moves a contact by its angle times its length up to the contact
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
         return -self.way * side[:, None] * covered
@@ -308,10 +309,12 @@ def _constrained_step(
     """
     rows, gaps = walls
     # in a step, an end turns by at most 0.15 rad and shifts by at most 5 % of the length
+    # (unknown angles are multiplied by the length)
     bound = np.full(gradient.size, 0.15 * length)
     bound[shifts] = 0.05 * length
     each = penalty * (np.abs(gradient).max() / scale + bound.max())
     bound = np.minimum(bound, reach)
+    # gaps + rows @ x >= 0, with the penalty `each` for an overlap
     program = QuadraticProgram(
         hessian / scale, gradient / scale, -bound, bound, rows, -gaps,
         np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
@@ -351,6 +354,7 @@ def rest_in_seats(
     NotConvergedError
         A tab does not fit into its holder, or no rest shape was found.
     """
+    # an end that is free to turn is held at its point only, also in a holder
     seated = [
         SeatedEnd(k, seat, stiffness)
         for k, (seat, stiffness) in enumerate(zip(seats, tab_stiffness, strict=True))
@@ -376,8 +380,10 @@ def rest_in_seats(
             stiffness = problem.end_stiffness(q, rod)
         firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
         solution = problem.step(q, rod, firm, penalty=penalty, reach=reach)
+        # the quadratic program divides forces by the largest stiffness
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
+        # a small step that `reach` has shortened is not the last step
         settled = moved <= 1e-9 * design.length and moved < reach
         # a reversed step shows that the previous step was too long for the linear prediction
         reach = 0.5 * moved if step @ before < 0 else 2.0 * reach
@@ -405,7 +411,10 @@ def rest_in_seats(
 
 @dataclass(frozen=True, eq=False)
 class _ContactProblem:
-    """Search for the rest shape of a loosely held strip. The vector q (n,) has the unknowns of each `SeatedEnd`."""
+    """Search for the rest shape of a loosely held strip. The vector q (n,) has the unknowns of each `SeatedEnd`.
+
+    `made` is the rod of the finished strip, and `seated` are the ends that have a holder.
+    """
 
     made: Rod
     design: Rod
@@ -413,17 +422,21 @@ class _ContactProblem:
 
     @cached_property
     def slices(self) -> list[slice]:
+        # range of each seated end in q
         stops = np.cumsum([0, *(2 + end.pieces for end in self.seated)]).tolist()
         return [slice(*limits) for limits in pairwise(stops)]
 
     def parts(self, q: FloatArray) -> list[tuple[SeatedEnd, FloatArray]]:
+        # return each seated end with its unknowns (2 + m,)
         return [(end, q[columns]) for end, columns in zip(self.seated, self.slices, strict=True)]
 
     @cached_property
     def poses(self) -> list[int]:
+        # indices in q of the shift and the turn of each seated end; all others are angles of tab pieces
         return [columns.start + k for columns in self.slices for k in (0, 1)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
+        # return shift, mm, and turn, rad, of an end with the unknowns `part`
         return float(part[0]), float(part[1]) / self.design.length
 
     def bent(self, q: FloatArray, near: Rod) -> Rod:
@@ -443,12 +456,14 @@ class _ContactProblem:
         return np.ravel([end.load(rod, self.design) for end in self.seated])
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
+        # return the derivatives (p, p), 1/mm3, of the p `reactions` by the unknowns `poses`, from differences
         reactions, difference = self.reactions(rod), 1e-5 * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
         return (ends + ends.T) / 2
 
     def without_room(self, q: FloatArray) -> str:
+        # return the message about the tab that overlaps its holder most
         gaps = [float(end.walls(part, self.design.length)[1].min()) for end, part in self.parts(q)]
         gap, seated_end = min(zip(gaps, self.seated, strict=True), key=itemgetter(0))
         end = "end" if seated_end.index else "start"
@@ -509,6 +524,7 @@ def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
 
 
 def _made_definite(stiffness: FloatArray) -> FloatArray:
+    # return the matrix with positive eigenvalues, as a quadratic program needs; unstable shapes have negative ones
     values, vectors = np.linalg.eigh(stiffness)
     # smaller eigenvalues are raised to this fraction of the largest
     values = np.maximum(np.abs(values), 1e-6 * np.abs(values).max())

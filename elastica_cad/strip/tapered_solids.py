@@ -100,6 +100,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
         nodes = curve.at(s.clip(0.0, curve.length))
         return nodes.position + side * size(s)[:, None] / 2 * left_of(unit_vectors(nodes.angle))
 
+    # the normal has one continuous derivative less than the curve
     breaks = [*size.breaks, *((place.s, max(place.continuity - 1, 0)) for place in curve.breaks)]
     knots, points = adaptive_spline(face, (0.0, length), degree=5, tolerance=FACE_MM, breaks=breaks)
     return PlaneCurve(knots, points, 5)
@@ -210,6 +211,7 @@ class _RoundBoundary:
             up = share * rows[:, 4, None] * z
             return axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up)
 
+        # at each end of a piece, two half circles (`rings`) meet at two vertices (the first is in `corners`)
         ends = [pieces[0][1][0], *(rows[-1] for _, rows in pieces)]
         rings, corners = [], []
         for row in ends:
@@ -240,6 +242,7 @@ class _RoundBoundary:
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
         """Add the plane face at one end, between its outer ring and, for a tube, its inner ring."""
+        # the normal points out of the rod; seen from outside, the outer ring is anticlockwise, the inner clockwise
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):
@@ -248,6 +251,7 @@ class _RoundBoundary:
         self.faces.append(Face(PlaneSurface(frame), tuple(loops)))
 
     def _edge(self, knots: FloatArray, points: FloatArray, start: int, end: int) -> int:
+        # add an edge between two vertices, and return its index
         self.edges.append(
             Edge(SpaceCurve(knots, points, DEGREE), float(knots[0]), float(knots[-1]), start, end)
         )

@@ -260,6 +260,7 @@ class Travel:
     def _value(self, place: Place | None) -> float | None:
         return None if place is None else self.stages[place[0]].value(place[1])
 
+    # the first places (number of the stage, fraction of it) at which the strip fails in each way
     @cached_property
     def _strained(self) -> Place | None:
         return self._first_failure(lambda rod: not self.strip.bent_as(rod).most_strained.judged().allowed)
@@ -410,6 +411,7 @@ def bend_strip(
     strain = np.array([layer.largest for layer in layers])
     with np.errstate(divide="ignore"):
         safety = np.array([layer.limit for layer in layers]) / strain
+    # the path's direction at a position is from the previous position to the next
     begins = np.concatenate([end[:1] if len(end) > 1 else [strip.rod.chord], end[:-1]])
     moves = np.concatenate([end[1:], end[-1:]]) - begins
     return Travel(
@@ -435,8 +437,10 @@ def _stages(rod: Rod, legs: Sequence[Leg]) -> tuple[Stage, ...]:
         held = [end.angle for end in bent.supports.ends]
         far = round(float(norm(bent.chord - rod.chord)), 9)
         turned = float(np.degrees(np.abs(bent.angle - rod.angle)[[0, -1]] * held).max())
+        # sums of the present and of the new loads, N
         load = [sum(one.newtons for one in loads) for loads in leg.loads or ((), ())]
         moves = "mm" if far else "deg" if turned > TURNED_DEG else "%"
+        # if loads grow while the ends move (`together`), the axis is the movement
         unit = "N" if load[0] != load[1] and not leg.together else moves
         stages.append(Stage(leg, unit, (travel, travel + far), (turn, turn + turned), (load[0], load[1])))
         rod, travel, turn = bent, travel + far, turn + turned

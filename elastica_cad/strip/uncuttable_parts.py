@@ -202,6 +202,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
         loops = int(loop[i[k]]), int(loop[j[k]])
         other, hole = (cuts[number] for number in sorted(loops))
         narrow = float(width[k])
+        # beside a round hole, the width is computed exactly
         if hole is not other and isinstance(circle := hole.segments[0], Arc) and circle.is_circle:
             here = middle[k]
             faced = min(other.segments, key=lambda segment: _distance(here, [segment]))
@@ -220,6 +221,7 @@ def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
     """Return the indices of chords that face another chord across less than `least` mm of material."""
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
+    # each normal is within acos(LEAST_FACING_COSINE) of the line between facing points
     opposed = dot(inward[i], inward[j]) < 1 - 2 * LEAST_FACING_COSINE**2
     here, there = chords.at(i[opposed]), chords.at(j[opposed])
     facing = here.has_in_front(there, least) & there.has_in_front(here, least)
@@ -256,7 +258,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     """Return the indices of places narrower than all other places within `least` mm."""
     # a long narrow part has very many places, so only the narrowest place of each small cell is compared
     cells = (middle - middle.min(axis=0, initial=np.inf)) // (0.25 * least)
-    row, column = cells.astype(np.int64).T
+    row, column = cells.astype(np.int64).T  # both numbers together are the key of a cell
     kept = np.sort(_narrowest(row * 2**31 + column, width))
     order = kept[width[kept].argsort(kind="stable")]
     i, j = near_pairs(middle[order], middle[order], least)
@@ -270,6 +272,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
+    # return, for each different value of `point`, the index of its least width
     order = np.lexsort((width, point))
     return order[np.diff(point[order], prepend=-1) > 0]
 
@@ -296,6 +299,7 @@ class _Chords:
         return chords.at(np.flatnonzero(chords.length))
 
     def at(self, numbers: IntArray) -> "_Chords":
+        # return the chords with these indices
         return _Chords(self.middle[numbers], self.vector[numbers], self.loop[numbers])
 
     @property
@@ -304,9 +308,11 @@ class _Chords:
 
     @property
     def inward(self) -> FloatArray:
+        # unit normals (m, 2) into the material
         return left_of(self.vector) / self.length[:, None]
 
     def divided(self, longest: float) -> "_Chords":
+        # return the chords, divided into equal parts of at most `longest` mm
         parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
         count = parts.repeat(parts)[:, None]
         whole = self.at(np.arange(parts.size).repeat(parts))
@@ -315,6 +321,7 @@ class _Chords:
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
         """Return True (m,) where the chord in the same row of `others` is within `least` mm across the material."""
+        # both ends (2, m, 2) of the other chords, relative to the middles of these chords
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead, aside = dot(ends, normals), cross(ends, normals)
@@ -359,6 +366,7 @@ class Fault:
 
 
 def _faults_message(faults: Iterable[Fault]) -> str:
+    # faults of a part with the same suggestion share a sentence
     by_cure: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         by_cure.setdefault((fault.part, fault.cure), []).append(fault.what)
@@ -549,6 +557,7 @@ def _thin_strip(
     # ligaments have another limit: see `find_strip_faults`
     holes = layer.holes if strip.layout.pattern is None else ()
     places = find_thin_places([layer.outline], holes, least)
+    # necks of the outline (both cuts are loop 0), in the strip (`free`) or in a tab with its own width (`tabs`)
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []
     for place in (place for place in places if place.loops == (0, 0)):
@@ -679,6 +688,7 @@ def _thin_web(name: str, place: ThinPlace, strip: Strip, layer: Layer, least: fl
 
 
 def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
+    # return the change to `times` the largest width, or none if `max_width` does not determine the widths
     if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
         return ()
     return (Change("max_width", rounded_up(times * strip.width.extremes[1], 3)),)
@@ -745,6 +755,7 @@ def _too_large(
             long=BareLength(its_long), short=Length(its_short), sheet=sheet.name,
             stock_long=BareLength(long_side), stock_short=Length(short_side),
         )  # fmt: skip
+        # the width is too large, not the length of the curve
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)
             # a strip that is only twice as long as wide bends as a plate
