@@ -93,6 +93,7 @@ def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
 
 
 def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
+    # all values with their indices, for constraints with few values
     return np.arange(len(rows)), rows
 
 
@@ -192,6 +193,7 @@ class Through(Constraint):
         The rod is a cubic through these nodes. The point is within 0.15 of `place`.
         """
         n = len(position) - 1
+        # nodes near `place`, because the rod may pass the target more than once
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]
         off = position[window] - self.target
@@ -305,6 +307,7 @@ class MiddleOfTurn(Constraint):
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
+    # indices of the one or two nodes, and of the one or two edges, nearest to the middle of the rod
     n = len(rod.tangents)
     return sorted({n // 2, (n + 1) // 2}), sorted({(n - 1) // 2, n // 2})
 
@@ -314,6 +317,7 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
+    # weights (4,) of the values at 0, 1, 2, 3 in the cubic at u, and the derivatives of the weights by u
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
@@ -472,6 +476,7 @@ class LargestSection(Constraint):
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
+    # derivatives (j, p) at j nodes `near`, from those (n+1,) by the moment and by the stiffness K at the node
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)

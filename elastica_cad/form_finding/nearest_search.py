@@ -189,6 +189,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
             search = search._replace(task=settled)
             break
         search = _continued_search(search, settled)
+    # the margin was not left out of the search: see `without_followed_margin`
     if margin == search.task.limits.margin:
         return search
     task = search.task.with_margin(margin)
@@ -196,6 +197,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
     met = [
         worst_broken(problem, problem.values(outcome.point)) <= MET for outcome in (search.best, *search.ties)
     ]
+    # no further search if the rod meets the margin, or violates other limits anyway
     if met[0] or search.best.violation > MET:
         ties = tuple(tie for tie, stays in zip(search.ties, met[1:], strict=True) if stays)
         return search._replace(task=task, ties=ties)
@@ -305,6 +307,7 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
+    # order of results, the best first: those that meet the limits by distance, then the others
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
@@ -393,7 +396,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     section = replace(section, fewest=min(max(section.fewest, fewest), section.leaves))
     strict, steps, taper = limits, 0, _taper_on_curve(request, section, limits.length)
     found = None if taper is None else _laid_leaves(taper, section, request, limits)
-    # search with stricter and stricter limits
+    # search with stricter and stricter limits; `found` is a stack, its violated limits, and the next limits
     for _ in range(6):
         if found is not None and not found[1]:
             break
@@ -418,6 +421,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
 
 
 def _taper_on_curve(request: RodSpec, section: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
+    # a taper that follows the curve exactly, or None if there is none or its length is not allowed
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
@@ -441,6 +445,7 @@ def _laid_leaves(
     places = Places(
         length, s / rod.length * length, position, bend, np.interp(s, rod.s, rod.curvature), keep.both_ends
     )
+    # limit, relative excess, and function that returns limits made stricter by a fraction
     found = [
         (active, -float(room(places)[0].min()), stricter)
         for _, active, room, stricter in limits.at_places(strain=False)

@@ -500,6 +500,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
     return best
 
 
+# number of steps that searches in a block of `at_most` may still take
 _STEPS_LEFT = ContextVar("_STEPS_LEFT", default=np.inf)
 
 
@@ -556,7 +557,11 @@ def minimize(
 
 @dataclass(eq=False)
 class _Walk(Generic[Point]):
-    """State of a search: present iterate, penalties of the merit function, trust region, and damping."""
+    """State of a search: present iterate, penalties of the merit function, trust region, and damping.
+
+    `solved` contains the constraint rows and the solution of the latest quadratic program. `damping_fraction` is
+    the factor on the damping, which is reduced while steps succeed.
+    """
 
     here: Iterate[Point]
     penalties: FloatArray
@@ -790,6 +795,7 @@ def _multipliers(
     if solved is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)
     rows, solution = solved
+    # the solution may have further rows, for the peaks of the objective
     for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
         out[k][i] = y
     return (

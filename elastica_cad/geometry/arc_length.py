@@ -18,6 +18,7 @@ _FINE = 1e-14
 # largest number of Newton steps; three are usual, except where the speed is almost 0
 _NEWTON_STEPS = 40
 
+# matrices applied from the right: values at the sites to coefficients, and coefficients to those of the integral
 _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T
 _INTEGRATE = chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0).T
