@@ -272,6 +272,7 @@ class _Search:
         The rod is bent anew on a finer grid, with steps of the stiffness.
         """
         places, length = self._separated(x[: self.places.size]), rod.length
+        # start, mm, of each ply that has not ended yet, by its index
         began = dict.fromkeys(self.first, 0.0)
         leaves = []
         for at, (number, sign) in zip(places * length, self.steps, strict=True):

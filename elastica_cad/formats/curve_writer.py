@@ -114,6 +114,7 @@ def write_curves(
 
 
 def _read_again(chain: Chain) -> PlaneCurve:
+    # the curve that `read_curves` makes of a written path
     if len(chain.segments) == 1 and isinstance(chain.segments[0], Spline):
         return chain.segments[0].curve
     return curve_from_run([_edge(segment) for segment in chain.segments])

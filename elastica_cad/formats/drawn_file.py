@@ -48,10 +48,12 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     count = int(np.ceil(_SAMPLES_PER_WIDTH * s[-1] / width))
     at = np.arange(count) / count * s[-1]
     points = points_at(at, s, drawn)
+    # of near samples, those far apart along the outline are on the other side of the stroke
     i, j = near_pairs(points, points, 3 * width)
     between = np.abs(i - j)
     across = np.minimum(between, count - between) > 2 * _SAMPLES_PER_WIDTH
     i, j = i[across], j[across]
+    # distance of each sample from the other side
     opposite = np.full(count, np.inf)
     np.minimum.at(opposite, i, norm(points[i] - points[j]))
     middle = float(np.median(opposite))
@@ -246,6 +248,7 @@ class DrawnCurve:
         if len(cut) < 2:
             return (self,)
         around = f"J{len(cut)}" if self.curve.is_closed else ""
+        # piece k is between names k and k + 1; the ends of a closed curve are one joint
         names = [around, *(f"J{k}" for k in range(1, len(cut))), around]
         return tuple(
             replace(
@@ -466,6 +469,7 @@ def collect_curves(
     chains, holes = holes_on_chains(joined.chains)
 
     def make(chain: Run, drilled: Sequence[Run]) -> PlaneCurve:
+        # a curve in space and its holes are mapped to one plane, then divided again
         edges = (*chain, *(edge for circle in drilled for edge in circle))
         plane = iter(edges if flat is None else flat(edges, tolerance))
         parts = [tuple(islice(plane, len(part))) for part in (chain, *drilled)]
