@@ -436,12 +436,14 @@ class FollowedMarginLimit(MarginLimit):
         """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        # four rows of finite differences: K larger and smaller, then the bend larger and smaller
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
         stiffer, softer, more, less = self.section.tangent(
             K * (1 + by_K[:, None]), bend + by_step[:, None], self.rest / self.size
         )
         by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
         by_moment = by_tangent * (more - less) / (2 * step * K * self.size)
+        # the bend is M / K, so that K acts through the bend too
         return by_stiffness - by_moment * rod.moments / K, by_moment
 
 

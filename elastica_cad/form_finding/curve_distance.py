@@ -209,7 +209,7 @@ class LargestDistance:
         off, normal = offsets(self.target, rod)
         signed = self.factors * dot(off, normal)
         size, p = np.abs(signed), rod.z.size
-        # only nodes at least half as far away may be the farthest after a step
+        # nearer nodes are unlikely to be the farthest after a step
         farthest = thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]

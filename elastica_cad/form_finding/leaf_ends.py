@@ -224,6 +224,7 @@ class _Search:
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
+        # least bending stiffness, N mm2, by which the stiffness of a rod is divided
         B = 1 / float(compliance.max())
         rest = np.broadcast_to(relaxed.natural_curvature, relaxed.s.shape)
         weight = None if relaxed.gravity is None else Weight(alpha=Profile.interpolate(s, newtons))

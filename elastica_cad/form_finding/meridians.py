@@ -254,8 +254,8 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
     """Return a start for Newton's method, from a spline through the points, and the length of the spline.
 
     The unit of length is the extent of all points. The start has angles and length of each piece, as in
-    `_Equations`, followed by the constants a and b of the least-squares fit x kappa = a + <b, p> at points p of the
-    spline.
+    `_Equations`, followed by a and b. These constants are those of the least-squares fit x kappa = a + <b, p> at
+    points p of the spline.
     """
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)

@@ -121,6 +121,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
 def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
     """Return the triangles with nearby vertices of open borders merged, which would interrupt a section."""
     edges, count = np.unique(np.sort(_sides(rows), axis=1), axis=0, return_counts=True)
+    # vertices of sides that belong to one triangle only
     border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
     if not border.size:
         return rows

@@ -154,7 +154,7 @@ class SectionScale:
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
             return None
         low = float(self.family.bending_stiffness(least).max())
-        # the largest section, for which K is `ratio`, withstands the bend if it is as stiff as the even rod
+        # the largest section, for which K is `ratio`, withstands the bend if it is not stiffer than the even rod
         even = replace(self, scale=low).grown(np.ones(bend.size), bend, limits)
         scale = max(low, even.scale / self.ratio)
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None

@@ -134,6 +134,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
             return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
         values = self.values(sensitivities.rod) if values is None else values
+        # for each constraint, indices (j,) of its values and derivatives (j, p) or (j, p + 1)
         rows = [constraint.rows(sensitivities) for constraint in self.constraints]
         jacobian = np.concatenate([slopes for _, slopes in rows])
         at = np.concatenate([value[index] for value, (index, _) in zip(values, rows, strict=True)])

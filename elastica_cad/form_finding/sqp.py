@@ -597,6 +597,7 @@ class _Walk(Generic[Point]):
             here.merit(self.penalties),
             SETTINGS.progress_tolerance * here.objective + SETTINGS.resolution,
         )
+        # predicted decrease of the merit; a decrease below `floor` is not worth a step
         promised = merit - here.predicted_merit(step, self.penalties)
         worth, highest = max(promised, floor), float(self.penalties.max(initial=0.0))
         reliable = here.is_reliable(worth, highest)

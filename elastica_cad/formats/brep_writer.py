@@ -297,6 +297,7 @@ def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
 
 
 def _trace_ends(trace: StraightTrace | Segment, limits: FloatArray) -> FloatArray:
+    # (u, v) of both ends (2, 2), at the parameters `limits` (2,); the ends of a whole spline are exact
     if isinstance(trace, StraightTrace):
         return trace.origin + limits[:, None] * trace.direction
     if isinstance(trace, Spline) and tuple(limits) == trace.curve.domain:

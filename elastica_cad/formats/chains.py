@@ -241,7 +241,8 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> dict[_End, _End]:
     """Return the partner of each end (run, side) that touches exactly one other end.
 
-    Ends touch if their distance is at most the sum of their `reach` (2 n,), mm, on one layer and with one name.
+    Ends touch if their distance is at most the sum of their `reach` (2 n,), mm. They must be on one layer, and a
+    named shape touches no other shape.
     """
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]

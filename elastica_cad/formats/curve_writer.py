@@ -88,6 +88,7 @@ def write_curves(
             path=path,
             written_suffixes=", ".join(WRITTEN_SUFFIXES),
         )
+    # below, `held` are the curves that are read again from the file
     if suffix == ".json":
         return write_atomically(path, curves_json(curves).encode(), force)
     if suffix == ".csv":

@@ -312,6 +312,7 @@ class DrawnFile:
         """Return the curves selected by `which` (number or id) and by layer, by default all curves."""
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
+            # first the whole name, then the id or the names of clone and shape, which / separates, then the number
             named = [curve for curve in curves if which and curve.name == which]
             named = named or [
                 curve

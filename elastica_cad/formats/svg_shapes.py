@@ -181,11 +181,13 @@ class SvgShapes:
         self._root = root
         # of several elements with one id, the first counts
         self._named = {element.get("id"): element for element in reversed([*root.iter()])}
+        # box of each clip path or mask by its id, None if it is not a rectangle
         self._areas = {
             name: _rectangle(element, extent)
             for name, element in self._named.items()
             if tag(element) in ("clipPath", "mask")
         }
+        # elements that are being visited, to find clones of themselves
         self._open: set[Element] = set()
         # elements without shapes, which clones may repeat without limit
         self._empty: set[Element] = set()

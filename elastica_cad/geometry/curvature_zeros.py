@@ -200,8 +200,8 @@ def _places(
 ) -> tuple[ZeroPlace, ...]:
     """Return the zeros along a curve of polynomials with Bernstein coefficients (p, n).
 
-    `noise` (p,) are rounding errors, `flat` (p,) flags of polynomials that are zero everywhere, and `smooth`
-    (p - 1,) flags of inner edges at which the function is continuous.
+    `noise` (p,) are rounding errors. `flat` (p,) marks polynomials that are zero everywhere. `smooth` (p - 1,)
+    marks inner edges at which the function is continuous.
     """
     count = flat.size
     # `zero` (p, 2) marks zeros at the start and end of each polynomial, which are divided out

@@ -155,8 +155,8 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
 def _joined(elements: list[_Element], closed: bool, distance: float) -> list[Segment]:
     """Return the pieces of the offset path in order, trimmed at their crossings, without vanished pieces.
 
-    If neighbours do not meet, or a piece has no part left between its crossings, the shortest of these pieces is
-    removed, and the others are trimmed again.
+    If two neighbours do not meet, the shorter one is removed. A piece without a part between its crossings is
+    removed too, the shortest first. The others are then trimmed again.
     """
     alive = {i: element.piece for i, element in enumerate(elements) if element.piece is not None}
     while True:

@@ -90,6 +90,7 @@ def _halved(
     middle = (low[used] + high[used]) / 2
     low = np.stack([low[used], middle], axis=1).ravel()
     high = np.stack([middle, high[used]], axis=1).ravel()
+    # the halves of part i are 2 i and 2 i + 1; each pair gives four pairs of halves, without doubles of equal parts
     a = (2 * first[:, None] + np.array([0, 0, 1, 1])).ravel()
     b = (2 * second[:, None] + np.array([0, 1, 0, 1])).ravel()
     return halves, low, high, a[a <= b], b[a <= b]

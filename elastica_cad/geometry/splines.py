@@ -505,7 +505,7 @@ def adaptive_spline(
         # rows are spans; the columns are Gauss nodes for the fit, then probes for the error
         x = low[:, None] + widths[:, None] * np.concatenate([(1 + sites) / 2, _PROBES])
         values = sampled(function, x)
-        # `_nearest` squares its weights, so its sum is the integral of the squared error by Gauss's rule
+        # `_nearest` squares its weights, so it minimises the integral of the squared error by Gauss's rule
         weights = np.sqrt(widths[:, None] * weight)
         spans = bezier_spans(full, degree)
         coefficients = _nearest(spans, x[:, : sites.size], values[:, : sites.size], weights)
