@@ -234,7 +234,7 @@ class InflectionLine(Constraint):
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
-        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
+        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])  # gradient of the moment in the plane
         off = self.point - rod.position[0]
         rows[0, u.moment] = 1
         rows[0, u.force] = left_of(off)
@@ -380,6 +380,7 @@ class MarginLimit(Constraint):
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the index and the derivatives of the scaled margin: see `Constraint.rows`."""
+        # `d` has the derivatives of the margin by angles and forces of edges, stiffness at nodes, and length
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.of_weighted_forces(d.force)
@@ -470,6 +471,7 @@ class LargestSection(Constraint):
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
+        # the allowed stiffness depends on the bend M / K, and the present stiffness is `scale` K
         by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
         by_stiffness = -by_moment * rod.moments / K - (1 + _SAFETY_SHARE + values) / K
         return near, _nodal_rows(sensitivities, near, by_moment, by_stiffness)

@@ -161,6 +161,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
+        # a stalled search counts as if it had used all its steps
         spent = sum(SQP.steps if outcome.stalled else outcome.iterations for outcome in outcomes)
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
@@ -319,6 +320,7 @@ def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Cal
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
+    # tension that alone provides the margin
     pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
     for tension in SETTINGS.tensions if pull else SETTINGS.tensions[-1:]:
         yield np.inf, partial(_start, task, problem, force=-tension * pull * chord)
@@ -346,6 +348,7 @@ def _start(
     """
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
+    # fractions of the length at which a rod has angles: its start, the middles of its edges, and its end
     places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
     angles = target.angles(places)
     z = np.zeros(u.count)

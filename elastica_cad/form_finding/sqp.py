@@ -767,6 +767,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         # scale the unknowns so that derivatives are at most 1, because one unknown could dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
+        # the step is divided by `missed`, so that the numbers of the program are not small
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))
         step = solve_quadratic(

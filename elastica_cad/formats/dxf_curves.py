@@ -367,6 +367,7 @@ def _circle(entity: Any, *, full: bool) -> Edge:
 
 
 def _arc_angles(start: float, end: float) -> tuple[float, float]:
+    # anticlockwise from start to end, rad; equal angles are a full turn
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
 

@@ -486,6 +486,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
+    # parts of an inch: denominators of fractions, and eighths
     parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
     # half a unit of the finest fraction or of the last digit; more cells would be slow

@@ -58,6 +58,7 @@ class ArcLength:
         places, reached = self._table
         cell = reached[1:-1].searchsorted(s, side="right")
         panel = cell // (_PLACES.size - 1)
+        # x is the coordinate in the panel, between `low` and `high`
         low, high = (places[at] - 2.0 * panel for at in (cell, cell + 1))
         x = np.interp(s, reached, places) - 2.0 * panel
         series, slopes = self.series[panel], self._slopes[panel]

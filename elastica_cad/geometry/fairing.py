@@ -264,6 +264,7 @@ class _Problem:
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
         """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
         step = self.width / DEGREE * unit_vectors(ends.angle)
+        # two fixed control points keep an end and its tangent; a third makes the curvature 0
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
         # on a straight line with constant speed, the first control points are 0, 1 and 3 times `step` from the end
         reach = np.array([0.0, 1.0, 3.0])[:, None]

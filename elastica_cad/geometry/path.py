@@ -473,6 +473,8 @@ The function returns points (n, 2) for the order 0, and their derivatives by u f
 class SegmentTable:
     """Lines, arcs and splines that are evaluated together.
 
+    Segments of one kind share a motion, a function that evaluates all of them in one call: see `_Motion`.
+
     Examples
     --------
     >>> table = SegmentTable([Line((0, 0), (4, 0)), Arc((0, 0), 2.0, 0.0, np.pi)])

@@ -122,6 +122,7 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
     ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
     for i in (ends.any(axis=1) & which).nonzero()[0].tolist():
         for side in (0, 1):
+            # -side is the index of the first or of the last coefficient
             for _ in range(c.shape[1] - 1):
                 if abs(c[i, -side]) > noise[i]:
                     break
@@ -268,6 +269,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
     with np.errstate(divide="ignore", invalid="ignore"):
         for _ in range(80):
             value, slope = value_and_slope(c, u)
+            # True if the zero is before u
             beyond = (value > 0) == rising
             low, high = np.where(beyond, low, u), np.where(beyond, u, high)
             newton = u - value / slope

@@ -134,7 +134,10 @@ def _nodes(knots: FloatArray, degree: int) -> IntArray:
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
-    """Return the incoming and outgoing handle at a node, and the indices of their far ends."""
+    """Return the incoming and outgoing handle (2,) at a node, and the indices of their far ends.
+
+    Control points that coincide with the node are passed over.
+    """
     size = norm(np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0))
     before, after = node - 1, node + 1
     while before > node - degree and norm(points[node] - points[before]) <= _SHORT * size:
