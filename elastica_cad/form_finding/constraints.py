@@ -93,6 +93,7 @@ def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
 
 
 def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
+    # all values with their indices, for constraints with few values
     return np.arange(len(rows)), rows
 
 
@@ -192,6 +193,7 @@ class Through(Constraint):
         The rod is a cubic through these nodes. The point is within 0.15 of `place`.
         """
         n = len(position) - 1
+        # nodes near `place`, because the rod may pass the target more than once
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]
         off = position[window] - self.target
@@ -232,7 +234,7 @@ class InflectionLine(Constraint):
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
-        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
+        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])  # gradient of the moment in the plane
         off = self.point - rod.position[0]
         rows[0, u.moment] = 1
         rows[0, u.force] = left_of(off)
@@ -305,6 +307,7 @@ class MiddleOfTurn(Constraint):
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
+    # indices of the one or two nodes, and of the one or two edges, nearest to the middle of the rod
     n = len(rod.tangents)
     return sorted({n // 2, (n + 1) // 2}), sorted({(n - 1) // 2, n // 2})
 
@@ -314,6 +317,7 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
+    # weights (4,) of the values at 0, 1, 2, 3 in the cubic at u, and the derivatives of the weights by u
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
@@ -376,6 +380,7 @@ class MarginLimit(Constraint):
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the index and the derivatives of the scaled margin: see `Constraint.rows`."""
+        # `d` has the derivatives of the margin by angles and forces of edges, stiffness at nodes, and length
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.of_weighted_forces(d.force)
@@ -432,12 +437,14 @@ class FollowedMarginLimit(MarginLimit):
         """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        # four rows of finite differences: K larger and smaller, then the bend larger and smaller
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
         stiffer, softer, more, less = self.section.tangent(
             K * (1 + by_K[:, None]), bend + by_step[:, None], self.rest / self.size
         )
         by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
         by_moment = by_tangent * (more - less) / (2 * step * K * self.size)
+        # the bend is M / K, so that K acts through the bend too
         return by_stiffness - by_moment * rod.moments / K, by_moment
 
 
@@ -464,6 +471,7 @@ class LargestSection(Constraint):
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
+        # the allowed stiffness depends on the bend M / K, and the present stiffness is `scale` K
         by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
         by_stiffness = -by_moment * rod.moments / K - (1 + _SAFETY_SHARE + values) / K
         return near, _nodal_rows(sensitivities, near, by_moment, by_stiffness)
@@ -472,6 +480,7 @@ class LargestSection(Constraint):
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
+    # derivatives (j, p) at j nodes `near`, from those (n+1,) by the moment and by the stiffness K at the node
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)

@@ -107,6 +107,7 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
         error = float(np.abs(middles - centre).max())
         axis = np.array([1.0, 0.0])
     else:
+        # the vectors between mirrored points are normal to the axis, along which they have the least scatter
         values, vectors = np.linalg.eigh(across.T @ across)
         axis = vectors[:, int(values.argmin())]
         error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ left_of(axis)).max()))
@@ -208,6 +209,7 @@ class LargestDistance:
         off, normal = offsets(self.target, rod)
         signed = self.factors * dot(off, normal)
         size, p = np.abs(signed), rod.z.size
+        # nearer nodes are unlikely to be the farthest after a step
         farthest = thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]
@@ -242,6 +244,7 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
 
 
 def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
+    # derivatives (n+1, p) of the positions along the normals (n+1, 2)
     d = sensitivities.position
     return normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1]
 

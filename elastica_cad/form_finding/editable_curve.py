@@ -92,6 +92,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
+    # halve the wide ones of the spans that contain `places`, and of the spans beside them
     width = np.diff(edges)
     bad = edges.searchsorted(places, side="right") - 1
     bad = np.unique(np.concatenate([bad - 1, bad, bad + 1]).clip(0, width.size - 1))
@@ -101,9 +102,10 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """Values of a continuous rod at evenly spaced stations, in units of its length `size`, mm.
+    """Values of a continuous rod at n evenly spaced stations, in units of its length `size`, mm.
 
-    `inflections` (j,) are the arc lengths where the moment is 0, including ends that are free to turn.
+    `rest` (n,) is the natural curvature, and `stiffness` (n,) is relative. `inflections` (j,) are the arc lengths
+    where the moment is 0, including ends that are free to turn.
     """
 
     s: FloatArray
@@ -116,6 +118,7 @@ class _Shape:
     size: float
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        # positions (k, 2), angles (k,) and curvatures (k,) at arc lengths (k,)
         values = spline_through(self.s, np.column_stack([self.position, self.angle, self.curvature]), 5)(s)
         return values[:, :2], values[:, 2], values[:, 3]
 
@@ -152,6 +155,7 @@ def _continuous(rod: Rod) -> _Shape:
 
 
 def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
+    # arc lengths (k,) at which the quintic spline through kappa (n,) at s (n,) is 0
     from scipy.interpolate import make_interp_spline
     from scipy.optimize import brentq
 
@@ -177,6 +181,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     typical = float(np.sqrt((kappa**2).mean())) + 1e-6
     # errors of the curvature have a weight, the square of a twentieth of the rod's length
     w = root.ravel() * 0.05**2 * typical / (np.abs(kappa) + 0.1 * typical)
+    # least squares A X = B for the control points X (m, 2): positions, then second derivatives
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
@@ -189,6 +194,8 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     across = left_of(along[2:])
     # if the strip has a rest curvature, the spline parameter at inflections must be the arc length
     paced = inner[: inner.size * bool(rest.any())]
+    # constraints C X = D: positions, tangents, and second and third derivatives at inflections. By Frenet's
+    # formulas these are rest * normal, and slope of the curvature * normal - rest^2 * tangent
     C = np.vstack(
         [
             spline(np.concatenate([ends, inner])),

@@ -266,7 +266,7 @@ def smooth_curve(
     supports = None if supports is None else require_supports(supports)
     require_natural_curvature(natural_curvature)
     smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature)
-    _ = smoothing.fairing
+    _ = smoothing.fairing  # raise errors here, not at the first use of the result
     return smoothing
 
 

@@ -224,6 +224,7 @@ class _Search:
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
+        # least bending stiffness, N mm2, by which the stiffness of a rod is divided
         B = 1 / float(compliance.max())
         rest = np.broadcast_to(relaxed.natural_curvature, relaxed.s.shape)
         weight = None if relaxed.gravity is None else Weight(alpha=Profile.interpolate(s, newtons))
@@ -272,6 +273,7 @@ class _Search:
         The rod is bent anew on a finer grid, with steps of the stiffness.
         """
         places, length = self._separated(x[: self.places.size]), rod.length
+        # start, mm, of each ply that has not ended yet, by its index
         began = dict.fromkeys(self.first, 0.0)
         leaves = []
         for at, (number, sign) in zip(places * length, self.steps, strict=True):

@@ -117,6 +117,7 @@ class PlaceLimit(NamedTuple):
 
 def _room_in_region(region: "HalfPlane | Box", places: Places) -> Room:
     distance, gradient = region.clearance(places.position)
+    # a kept end cannot move, so it counts as far away even if it is on the border
     distance[[0, -1]] = np.where(places.kept, places.length, distance[[0, -1]])
     return distance / places.length, gradient, np.zeros(distance.size)
 
@@ -216,6 +217,7 @@ class Box:
         below, above = self.lower - points, points - self.upper
         off = np.maximum(below, above)
         outermost = off.max(axis=1, keepdims=True)
+        # outside, the distances from the box in x and y; inside, 1 for the direction of the nearest side
         outward = np.where(outermost > 0, np.maximum(off, 0), off == outermost)
         size = norm(outward)
         gradient = np.where(above > below, 1.0, -1.0) * outward / size[:, None]

@@ -152,6 +152,15 @@ class _Equations:
     At the nodes, distance from the axis * curvature = a + <b, point>. Each piece ends at the next point, and the
     angle is continuous. The unknowns are the nodal angles and the length of each piece, followed by a and b (2).
     `closes` is True if the last point is on the axis.
+
+    Attributes
+    ----------
+    stations : (nodes + 1,) array
+        Coordinates of the nodes of a piece, from -1 to 1.
+    series, integral, slope : (nodes + 1, nodes + 1) array
+        Matrices from values at the nodes to Chebyshev coefficients, to integrals from -1 and to derivatives.
+    width, count : int
+        Number of unknowns of a piece, and of all unknowns.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -189,19 +198,25 @@ class _Equations:
         half = lengths[:, None] / 2
         x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)
         y = points[:-1, 1:] + half * (np.sin(angles) @ self.integral.T)
+        # the balance times half the length; its first node is left out, as a slope of degree n - 1 has n conditions
         balance = x * (angles @ self.slope.T) - half * (a + b1 * x + b2 * y)
         ends = np.column_stack([x[:, -1], y[:, -1]]) - points[1:]
         rows = [balance[:, 1:].ravel(), ends.ravel(), angles[1:, 0] - angles[:-1, -1]]
         if self.closes:
+            # on the axis, the balance does not contain the curvature, but its derivative by arc length does
             last, turning = angles[-1, -1], self.slope[-1] @ angles[-1]
             rows.append([turning * np.cos(last) - half[-1, 0] * (b1 * np.cos(last) + b2 * np.sin(last))])
         return np.concatenate(rows)
 
     def missed(self, unknown: FloatArray, points: FloatArray) -> float:
+        # largest residual
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Return the derivatives of the residuals `off` by the unknowns, and by the coordinates of the points."""
+        """Return the derivatives of the residuals `off` by the unknowns, and by the coordinates of the points.
+
+        The columns are the `count` unknowns, then x and y of each point.
+        """
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
         rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
@@ -236,10 +251,11 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """Return a start for Newton's method, from a spline through the points, and the length of the spline, mm.
+    """Return a start for Newton's method, from a spline through the points, and the length of the spline.
 
-    The start has angles and length of each piece, as in `_Equations`, followed by the constants a and b of the
-    least-squares fit x kappa = a + <b, p> at points p of the spline.
+    The unit of length is the extent of all points. The start has angles and length of each piece, as in
+    `_Equations`, followed by a and b. These constants are those of the least-squares fit x kappa = a + <b, p> at
+    points p of the spline.
     """
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
@@ -305,6 +321,7 @@ def _nearest(
     distances and weighted residuals decreases.
     """
     count = equations.count
+    # a last point on the axis remains there: its x, the second last column, does not change
     on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
     on_axis[:, -2] = 1.0
     weight = 10.0
@@ -312,12 +329,15 @@ def _nearest(
         missed = np.append(equations.off(unknown, places), np.zeros(len(on_axis)))
         slopes = np.concatenate([equations.slopes(unknown, places), on_axis])
         m, n = slopes.shape
+        # conditions of the constrained minimum, for a step of the unknowns, moves of the points and m multipliers;
+        # a tiny weight on the unknowns makes their step unique
         system: FloatArray = np.zeros((n + m, n + m))
         system[:n, :n].flat[:: n + 1] = np.append(np.full(count, SETTLED), np.ones(n - count))
         system[n:, :n], system[:n, n:] = slopes, slopes.T
         right = np.concatenate([np.zeros(count), (points - places).ravel(), -missed])
         solved = _least_step(system, right)
         step, move = solved[:count], solved[count:n].reshape(-1, 2)
+        # with a weight above all multipliers, the constrained minimum is also a minimum of the merit
         weight = max(weight, 2 * float(np.abs(solved[n:]).max()))
 
         def merit(u: FloatArray, p: FloatArray, weight: float = weight) -> float:
@@ -563,6 +583,7 @@ def _fitted(position: Callable[[FloatArray], FloatArray], end: float, length: fl
 
 
 def _distance_at_end(start: float, length: float, ring: float | None) -> float:
+    # distance from the axis, mm, at which the meridian ends; `start` is its distance at the start
     if ring is None:
         # a thousandth of the size of the meridian
         return min(1e-3 * (start + length), start / 2)
@@ -613,7 +634,11 @@ def _checked_points(points: ArrayLike) -> FloatArray:
 def _integrated(
     p: FloatArray, length: float, floor: float
 ) -> tuple[float, Callable[[FloatArray], FloatArray]]:
-    """Return the arc length of the end, and a function that returns x, y and angle (3, n) at n arc lengths."""
+    """Return the arc length of the end, and a function that returns x, y and angle (3, n) at n arc lengths.
+
+    The parameters p (6,) are a, b (2), the start (2) and the angle there. The meridian ends at the distance `floor`
+    from the axis.
+    """
     from scipy.integrate import solve_ivp
 
     a, b1, b2 = p[:3]

@@ -161,6 +161,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
+        # a stalled search counts as if it had used all its steps
         spent = sum(SQP.steps if outcome.stalled else outcome.iterations for outcome in outcomes)
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
@@ -189,6 +190,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
             search = search._replace(task=settled)
             break
         search = _continued_search(search, settled)
+    # the margin was not left out of the search: see `without_followed_margin`
     if margin == search.task.limits.margin:
         return search
     task = search.task.with_margin(margin)
@@ -196,6 +198,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
     met = [
         worst_broken(problem, problem.values(outcome.point)) <= MET for outcome in (search.best, *search.ties)
     ]
+    # no further search if the rod meets the margin, or violates other limits anyway
     if met[0] or search.best.violation > MET:
         ties = tuple(tie for tie, stays in zip(search.ties, met[1:], strict=True) if stays)
         return search._replace(task=task, ties=ties)
@@ -305,6 +308,7 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
+    # order of results, the best first: those that meet the limits by distance, then the others
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
@@ -316,6 +320,7 @@ def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Cal
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
+    # tension that alone provides the margin
     pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
     for tension in SETTINGS.tensions if pull else SETTINGS.tensions[-1:]:
         yield np.inf, partial(_start, task, problem, force=-tension * pull * chord)
@@ -343,6 +348,7 @@ def _start(
     """
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
+    # fractions of the length at which a rod has angles: its start, the middles of its edges, and its end
     places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
     angles = target.angles(places)
     z = np.zeros(u.count)
@@ -393,7 +399,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     section = replace(section, fewest=min(max(section.fewest, fewest), section.leaves))
     strict, steps, taper = limits, 0, _taper_on_curve(request, section, limits.length)
     found = None if taper is None else _laid_leaves(taper, section, request, limits)
-    # search with stricter and stricter limits
+    # search with stricter and stricter limits; `found` is a stack, its violated limits, and the next limits
     for _ in range(6):
         if found is not None and not found[1]:
             break
@@ -418,6 +424,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
 
 
 def _taper_on_curve(request: RodSpec, section: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
+    # a taper that follows the curve exactly, or None if there is none or its length is not allowed
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
@@ -441,6 +448,7 @@ def _laid_leaves(
     places = Places(
         length, s / rod.length * length, position, bend, np.interp(s, rod.s, rod.curvature), keep.both_ends
     )
+    # limit, relative excess, and function that returns limits made stricter by a fraction
     found = [
         (active, -float(room(places)[0].min()), stricter)
         for _, active, room, stricter in limits.at_places(strain=False)

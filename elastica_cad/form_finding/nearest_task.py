@@ -191,6 +191,7 @@ class NearestTask:
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
         """Task with smaller sections, which withstand the curvature of the target; None if no change is needed."""
+        # without weight, or with a scale that is determined later, the scale has no effect on the search
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)
@@ -203,7 +204,10 @@ class NearestTask:
         return _nodal_rest(self.request.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
-        """Return the rod in mm, with a least stiffness of 1. Without weight, sections are as large as allowed."""
+        """Return the rod in mm, with a least stiffness of 1. Without weight, sections are as large as allowed.
+
+        The state of the rod is computed again in mm from the angles and the forces of `mapped`.
+        """
         size, section = self.target.size, self.section
         if section is not None and self.is_light:
             section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)
@@ -223,6 +227,7 @@ class NearestTask:
             end=position[-1], end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
         )  # fmt: skip
         force = mapped.force / (least * size**2)
+        # reactions along the axes that both supports hold: the part of the forces that the loads do not cause
         reactions = (force - system.given_force)[:, list(system.held)].mean(axis=0)
         return system.state(mapped.angles, reactions).rod(blank)
 
@@ -248,17 +253,20 @@ class NearestTask:
 
     @property
     def _shares(self) -> FloatArray:
+        # weights (nodes,) with the sum 1; the end nodes belong to half an edge only
         shares = self.weights.copy()
         shares[[0, -1]] /= 2
         return np.asarray(shares / shares.sum())
 
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
+    # change of curvature (nodes,), 1/mm, of a rod that follows the target
     kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
     return (kappa - _nodal_rest(rest, nodes, target.size)) / target.size
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
+    # natural curvature times `size`, at the nodes if it varies
     if isinstance(rest, RestCurvature):
         return size * rest.at(np.linspace(0.0, rest.length, nodes))
     return size * rest

@@ -121,6 +121,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
 def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
     """Return the triangles with nearby vertices of open borders merged, which would interrupt a section."""
     edges, count = np.unique(np.sort(_sides(rows), axis=1), axis=0, return_counts=True)
+    # vertices of sides that belong to one triangle only
     border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
     if not border.size:
         return rows
@@ -163,6 +164,7 @@ def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
     )
+    # 0 if the two triangles at an edge run along it in opposite directions, as they should
     sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
     defects = (
         ("the mesh is open along {edges} (near {places}), so sections end there", edges[count == 1]),
@@ -242,6 +244,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 
     Vertices in the plane count as above. If the section is longer with them below, this section is used.
     """
+    # vertices (n, 3) in the axes of the plane, and their heights (n,) above it, without rounding errors around 0
     local = frame.local(mesh.vertices)
     height = np.where(np.abs(local[:, 2]) <= IN_PLANE * mesh.size, 0.0, local[:, 2])
     chains = _chained(mesh, local, height, height >= 0)
@@ -272,7 +275,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
     """Return why a plane has no section: it misses or only touches the mesh.
 
-    `height` is that of the vertices.
+    `local` (n, 3) and `height` (n,) are as in `_section`.
     """
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
@@ -290,17 +293,20 @@ def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) ->
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
     """Return the lines in which the faces meet the plane, as chains of points (k, 2).
 
-    `above` (n,) is True for vertices above the plane.
+    `local` (n, 3) are the vertices in the axes of the plane, and `height` (n,) is their height above it. `above`
+    (n,) is True for vertices that count as above the plane, also if their height is 0.
     """
     side = above[mesh.faces]
     faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
     if not len(faces):
         return []
     corner = above[faces]
+    # the place (0, 1 or 2) in each face of the vertex that is alone on its side; the two edges there are crossed
     alone = (corner == (corner.sum(axis=1) == 1)[:, None]).argmax(axis=1)
     rows = np.arange(len(faces))
     tip = faces[rows, alone]
     edges = np.stack([np.sort([tip, faces[rows, (alone + k) % 3]], axis=0).T for k in (1, 2)], axis=1)
+    # neighbouring faces share an edge, and so a point of the section: `nodes` are the vertices of each such edge
     nodes, index = np.unique(edges.reshape(-1, 2), axis=0, return_inverse=True)
     a, b = nodes.T
     share = height[a] / (height[a] - height[b])
@@ -314,6 +320,7 @@ def _walks(links: IntArray, count: int) -> list[list[int]]:
 
     The chains end at nodes that do not have two links.
     """
+    # indices of the links at each node
     at: list[list[int]] = [[] for _ in range(count)]
     for k, (a, b) in enumerate(links.tolist()):
         at[a].append(k)
@@ -321,6 +328,7 @@ def _walks(links: IntArray, count: int) -> list[list[int]]:
     used = np.zeros(len(links), dtype=bool)
     ends = [node for node in range(count) if len(at[node]) != 2]
     walks = []
+    # open chains first, one for each link at an end; the links that remain are closed chains
     for start in [*(node for node in ends for _ in at[node]), *range(count)]:
         walk, node = [start], start
         while True:

@@ -44,9 +44,9 @@ class StiffnessBasis:
         return np.concatenate([np.zeros(3), np.linspace(0, 1, self.count - 2), np.ones(3)])
 
     def at(self, s: FloatArray) -> FloatArray:
-        """Return the values of the basis functions at s (n,) in 0..1.
+        """Return the values (n, m) of the m basis functions at s (n,) in 0..1.
 
-        If `mirrored`, the basis functions are sums of mirrored pairs.
+        If `mirrored`, the basis functions are sums of mirrored pairs, and m is half of `count`, rounded up.
         """
         basis = bezier_spans(self.knots, 3).basis(s.clip(0, 1))
         if not self.mirrored:
@@ -54,7 +54,7 @@ class StiffnessBasis:
         half = (self.count + 1) // 2
         mirror = basis[:, ::-1][:, :half].copy()
         if self.count % 2:
-            mirror[:, -1] = 0
+            mirror[:, -1] = 0  # the middle function is its own mirror image
         return basis[:, :half] + mirror
 
     def coefficients(self, z: FloatArray) -> FloatArray:
@@ -78,6 +78,8 @@ class SectionScale:
 
     Attributes
     ----------
+    family : Section
+        Sections of all sizes, with the limits of the size.
     scale : float
         Bending stiffness for K = 1, N mm2.
     ratio : float
@@ -137,6 +139,7 @@ class SectionScale:
             return 1.0 - float((share * np.abs(bend)).max())
 
         low, high = np.log(min(least, self.scale)), np.log(max(most, self.scale))
+        # without a sheet there is no strain limit; if even the least scale exceeds the limit, nothing changes
         if limits.sheet is None or room(high) >= 0:
             return replace(self, scale=float(np.exp(high)))
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
@@ -151,6 +154,7 @@ class SectionScale:
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
             return None
         low = float(self.family.bending_stiffness(least).max())
+        # the largest section, for which K is `ratio`, withstands the bend if it is not stiffer than the even rod
         even = replace(self, scale=low).grown(np.ones(bend.size), bend, limits)
         scale = max(low, even.scale / self.ratio)
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
@@ -320,7 +324,10 @@ class Sensitivities:
         return out
 
     def last_load_row(self, axis: int) -> FloatArray:
-        """Return the derivatives, by p unknowns, of the last node's weight along `axis` (0: x, 1: y)."""
+        """Return the derivatives, by p unknowns, of the load on the last node along `axis` (0: x, 1: y).
+
+        The load is -L e times the weight of this node alone, because e points up: see `of_weighted_forces`.
+        """
         grid, carried = self.grid, self.carried
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.stiffness] = -grid.e[axis] * self.rod.length * (carried.slopes[-1] - carried.slopes[-2])
@@ -470,6 +477,7 @@ class StripGrid:
             turned = rod.all_angles[:-1] + w * (M / K + self.natural_curvature)
             drive_angle[:, -1] = np.append(rod.z[u.angle], turned) - rod.all_angles
             drive_moment[:, -1] = np.append(rod.z[u.moment], M[:-1] + edge * rod.shear) - M
+        # rows: the diagonal, which is 1 and not read, then the two diagonals below it
         band = np.zeros((3, 2 * n + 3))
         band[1, 2:-1:2] = edge * rod.pull  # minus the derivative of moment M_i by angle alpha_i
         band[1, 1::2] = -w / K

@@ -134,6 +134,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
             return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
         values = self.values(sensitivities.rod) if values is None else values
+        # for each constraint, indices (j,) of its values and derivatives (j, p) or (j, p + 1)
         rows = [constraint.rows(sensitivities) for constraint in self.constraints]
         jacobian = np.concatenate([slopes for _, slopes in rows])
         at = np.concatenate([value[index] for value, (index, _) in zip(values, rows, strict=True)])
@@ -200,6 +201,7 @@ def _grid(task: NearestTask) -> StripGrid:
 
 
 def _moment_scale(task: NearestTask) -> float:
+    # typical moment, in units of the search: root mean square curvature times a typical stiffness
     bend = float(np.sqrt((task.target.curvature**2).mean()))
     return float(max(1.0, bend * min(2.0, np.sqrt(task.limits.largest_ratio))))
 
@@ -212,7 +214,7 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
     u, target = grid.unknowns, task.target
     lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
     lower[u.stiffness], upper[u.stiffness] = _coefficient_bounds(task, u.coefficients)
-    held = task.request.supports.held
+    held = task.request.supports.held  # x, y and angle of the start come first
     if task.keep.both_ends[0]:
         lower[u.position] = upper[u.position] = target.position[0]
     if task.keep.both_tangents[0]:
@@ -380,6 +382,7 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     across = left_of(axis)
     middle = float(target.angles(np.array([0.5]))[0])
     angle = float(angle_of(across))
+    # of the two directions across the axis, and their full turns, take the nearest to the target
     angle += np.pi * np.round((middle - angle) / np.pi)
     return MiddleOfMirror(centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * _moment_scale(task))
 
@@ -434,6 +437,7 @@ def active_limits(
     Each group is sorted by the effect of a relative change of the limit, the largest first.
     """
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
+    # change of the distance, mm, by a unit change of the objective, which is half the squared distance if not "max"
     if task.request.measure == "max":
         per = size
     else:
@@ -479,6 +483,7 @@ def _ratio_title(limits: Limits) -> str:
 def _end_title(task: NearestTask, index: int) -> str:
     """Return the name of an end in messages by its side, such as "the angle at the left end"."""
     target = task.target
+    # from the other end to this end: the index 0 is the start, 1 the end
     off = target.position[-index] - target.position[index - 1]
     across = 0 if abs(off[0]) >= abs(off[1]) else 1
     if abs(off[across]) < 1e-3 * target.diagonal:  # the ends are too close to have sides

@@ -146,6 +146,7 @@ class SectionLine:
             )
         ]
         if self.is_closed:
+            # the start of a closed line is not a cut, so the last and the first piece are one
             points = [np.concatenate([points[-1][:-1], points[0]]), *points[1:-1]]
         points = [p[np.append(True, (np.diff(p, axis=0) != 0).any(axis=1))] for p in points]
         return tuple(
@@ -189,6 +190,7 @@ class PlaneSection:
 
 
 def _inner_turns(points: FloatArray) -> FloatArray:
+    # changes of direction (n - 2,), rad, at the inner points of a polyline (n, 2)
     step = np.diff(points, axis=0)
     return np.abs(turn_between(step[:-1], step[1:]))
 
@@ -587,6 +589,7 @@ def smooth_polyline(
         raise InputError("the points to smooth are all equal: give different points")
     at = np.linspace(0.0, s[-1], count)
     even = points_at(at, s, vertices)
+    # matrix of third differences, and the arc lengths in the middle of their four points
     third = np.diff(np.eye(count), 3, axis=0)
     middle = (at[:-3] + at[3:]) / 2
     spans = numbers(where, "parts to smooth")

@@ -428,6 +428,7 @@ class SectionSpec:
                     used.add(split.name)
             lines = tuple(pieces)
         if not lines:
+            # a section without lines does not show that a split has no effect
             used |= {split.name for split in self.splits if not section.lines}
         return replace(section, lines=lines, reports=reports), frozenset(used)
 
@@ -445,6 +446,7 @@ def _reasons(reports: Sequence[str]) -> str:
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
     """Raise InputError for two equal planes. `values` are offsets or, with a `period`, angles."""
     order = np.mod(values, period).argsort(kind="stable")
+    # the last angle is compared with the first too
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])
     if np.isfinite(period):

@@ -157,6 +157,7 @@ class _Cut:
         return piece, held, self.tolerance * self.curve.length / piece.length
 
     def choices(self, first: float, last: float, known: float) -> FloatArray:
+        # positions (k,) to try for a support between `first` and `last`, and the position `known`
         if self.places is None:
             return np.unique(np.append(np.linspace(first, last, _CHOICES), known))
         inside = self.places[(self.places >= first) & (self.places <= last)]
@@ -202,6 +203,7 @@ class _Cut:
 
     def reach(self, start: float) -> float:
         """Return the end of the longest possible piece from `start`, or `start` if there is none."""
+        # a piece from `start` can end at `near`, but not at `far`, unless both are the same
         near, far = start, self.curve.domain[1]
         for mark in self.marks[self.marks > start]:
             if not self.takes(start, float(mark)):
@@ -324,6 +326,7 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
     """
     low, high = cut.curve.domain
     chain = [np.array([low]), *stages, np.array([high])]
+    # least sum up to each position of a stage, and for each position the index of the best position before it
     total, comes_from = np.zeros(1), []
     for before, after in pairwise(chain):
         cost = np.full((before.size, after.size), np.inf)

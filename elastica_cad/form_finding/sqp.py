@@ -500,6 +500,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
     return best
 
 
+# number of steps that searches in a block of `at_most` may still take
 _STEPS_LEFT = ContextVar("_STEPS_LEFT", default=np.inf)
 
 
@@ -556,7 +557,11 @@ def minimize(
 
 @dataclass(eq=False)
 class _Walk(Generic[Point]):
-    """State of a search: present iterate, penalties of the merit function, trust region, and damping."""
+    """State of a search: present iterate, penalties of the merit function, trust region, and damping.
+
+    `solved` contains the constraint rows and the solution of the latest quadratic program. `damping_fraction` is
+    the factor on the damping, which is reduced while steps succeed.
+    """
 
     here: Iterate[Point]
     penalties: FloatArray
@@ -592,6 +597,7 @@ class _Walk(Generic[Point]):
             here.merit(self.penalties),
             SETTINGS.progress_tolerance * here.objective + SETTINGS.resolution,
         )
+        # predicted decrease of the merit; a decrease below `floor` is not worth a step
         promised = merit - here.predicted_merit(step, self.penalties)
         worth, highest = max(promised, floor), float(self.penalties.max(initial=0.0))
         reliable = here.is_reliable(worth, highest)
@@ -761,6 +767,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         # scale the unknowns so that derivatives are at most 1, because one unknown could dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
+        # the step is divided by `missed`, so that the numbers of the program are not small
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))
         step = solve_quadratic(
@@ -790,6 +797,7 @@ def _multipliers(
     if solved is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)
     rows, solution = solved
+    # the solution may have further rows, for the peaks of the objective
     for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
         out[k][i] = y
     return (

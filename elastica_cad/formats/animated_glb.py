@@ -54,6 +54,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
     materials: list[Any] = []
     channels, samplers = [], []
     frames = len(meshes[0].points)
+    # index of the frame at each of the equal times of the animation
     there_and_back = np.concatenate([np.arange(frames), np.arange(frames - 1)[::-1]])
     clock = file.add(np.linspace(0.0, seconds, 2 * frames - 1), "SCALAR", bounds=True)
     for k, mesh in enumerate(meshes):
@@ -84,6 +85,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
         place = {"scale": [1e-3] * 3, "rotation": [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]}
         nodes.append({"name": mesh.name, "mesh": k, **place})
         shapes.append({"name": mesh.name, "primitives": [skin], "weights": [0.0] * len(targets)})
+        # weights of the targets at each time: 1 for the target of the frame; the first frame has no target
         keys = np.eye(frames, frames - 1, -1)[there_and_back].ravel()
         samplers.append({"input": clock, "output": file.add(keys, "SCALAR"), "interpolation": "LINEAR"})
         channels.append({"sampler": k, "target": {"node": k, "path": "weights"}})

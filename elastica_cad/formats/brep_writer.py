@@ -90,6 +90,7 @@ def boundary_brep(boundary: Boundary, gap: float = 1e-6) -> BinaryBrep:
     The tolerance of vertices is `gap`, mm.
     """
     tables = _Tables()
+    # for each edge, the records of its curves in the (u, v) planes of the faces
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
     for face, surface in zip(boundary.faces, surfaces, strict=True):
@@ -101,11 +102,13 @@ def boundary_brep(boundary: Boundary, gap: float = 1e-6) -> BinaryBrep:
             number = _added(tables.traces, _trace(use.trace, turn))
             limits = np.array([edge.first, edge.last])
             ends = (_trace_ends(use.trace, limits) @ turn.T).ravel()
+            # 2 is a curve on a surface: trace, surface, location, parameters and (u, v) of both ends
             traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends))
     edges = tables.edges(boundary, traces, gap)
     faces = []
     for face, surface in zip(boundary.faces, surfaces, strict=True):
         wires = [tables.wire(loop, edges) for loop in face.loops]
+        # no natural restriction, tolerance, surface, location, and 1 for no triangulation
         head = pack("<?d2iB", False, EDGE_TOLERANCE_MM, surface, 0, 1)
         faces.append((tables.shape(_FACE, head, [(wire, True) for wire in wires]), face.outward))
     closed = boundary.is_closed
@@ -192,6 +195,7 @@ class _Tables:
         numbers = []
         for edge, rows in zip(boundary.edges, traces, strict=True):
             curve, limits = _added(self.curves, _curve(edge.curve)), (edge.first, edge.last)
+            # tolerance; same parameter, same range, not degenerate; 1 is a curve in space: curve, location, limits
             head = pack("<d3?B2i2d", EDGE_TOLERANCE_MM, True, True, False, 1, curve, 0, *limits)
             parts = [(ends[edge.start], True), (ends[edge.end], False)]
             numbers.append(self.shape(_EDGE, b"".join([head, *rows, b"\0"]), parts))
@@ -222,6 +226,7 @@ class _Tables:
 
 
 def _added(table: list[bytes], row: bytes) -> int:
+    # the index of the new row, from 1
     table.append(row)
     return len(table)
 
@@ -292,6 +297,7 @@ def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
 
 
 def _trace_ends(trace: StraightTrace | Segment, limits: FloatArray) -> FloatArray:
+    # (u, v) of both ends (2, 2), at the parameters `limits` (2,); the ends of a whole spline are exact
     if isinstance(trace, StraightTrace):
         return trace.origin + limits[:, None] * trace.direction
     if isinstance(trace, Spline) and tuple(limits) == trace.curve.domain:

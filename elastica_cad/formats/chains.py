@@ -234,11 +234,16 @@ def _source_of(run: Sequence[Edge]) -> Source:
 
 
 def _ends(runs: Sequence[Run]) -> FloatArray:
+    # start and end of each of n runs in turn, (2 n, d)
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> dict[_End, _End]:
-    """Return the partner of each end (run, side) that touches exactly one other end."""
+    """Return the partner of each end (run, side) that touches exactly one other end.
+
+    Ends touch if their distance is at most the sum of their `reach` (2 n,), mm. They must be on one layer, and a
+    named shape touches no other shape.
+    """
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
@@ -263,6 +268,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> dict[
 
 
 def _cosine_of_turn(runs: Sequence[Run], first: _End, other: _End) -> float:
+    # both directions point out of their runs, so they are opposite where one run continues the other
     out, into = (_end_tangent(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
     return float(-out @ into)
 
@@ -274,7 +280,23 @@ def _end_tangent(run: Run) -> FloatArray:
 
 
 class _RunIndex:
-    """Ends and bounding boxes of runs, sorted along the longer axis of the drawing, to find overlaps."""
+    """Ends and bounding boxes of n runs, sorted along the longer axis of the drawing, to find overlaps.
+
+    Attributes
+    ----------
+    ends : (n, 2, d) array
+        Start and end of each run.
+    sizes : (n,) array
+        Lengths of the runs.
+    lows, highs : (n, d) array
+        Corners of the boxes, enlarged by the tolerance.
+    axis : int
+        Longer axis of the drawing.
+    sorted, along : (n,) array
+        Runs in the order of their middles along this axis, and the coordinates of these middles.
+    by_length, rank : (n,) int array
+        Runs from the longest to the shortest, and the place of each run in this order.
+    """
 
     def __init__(self, runs: Sequence[Run], tolerance: float) -> None:
         """Sort the runs by their middles along the longer axis, to find those near a run, and by length."""
@@ -301,6 +323,7 @@ class _RunIndex:
         near = self.sorted[slice(*self.along.searchsorted([middle - reach, middle + reach]))]
         near = np.sort(near[self.rank[near] > self.rank[j]])
         inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
+        # flags (k, 2, 2) for the ends of k near runs and the ends of run j: False where two ends meet
         apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3) > self.tolerance
         candidate = inside.all(axis=1) | (inside & apart.all(axis=2)).any(axis=1)
         near, apart = near[candidate], apart[candidate]
@@ -318,6 +341,7 @@ def _without_overlaps(
     Overlaps of runs with different layers or names are only reported.
     """
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
+    # layer of each run, and its name, or False without a name
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []
     dropped: set[int] = set()
@@ -335,6 +359,7 @@ def _without_overlaps(
                     dropped.add(i)
             elif partly:
                 in_part.append((i, j))
+    # first and last place of the part of a run that remains
     limits: dict[int, list[_Place]] = {}
     # ignore shorter common parts, which are due to rounding
     least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))
@@ -342,6 +367,7 @@ def _without_overlaps(
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
         for side, place, met in cuts:
+            # at the ends of the common part, only the end of its own run is found, unless a third run meets it
             meeting = (np.linalg.norm(alone - end, axis=1) <= tolerance for end in (index.ends[i, side], met))
             is_union = called[i] == called[j] and max(map(np.count_nonzero, meeting)) == 1
             overlaps.append((sources[i], sources[j], "joined" if is_union else "in part"))
@@ -381,6 +407,7 @@ def _end_places(run: Run) -> tuple[_Place, _Place]:
 
 
 def _nearest_place(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
+    # the place on a run nearest to a point (d,), or None if it is farther than the tolerance
     nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
     away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
     return (k, t) if away <= tolerance else None
@@ -580,6 +607,7 @@ def _require_distance(distance: float, allowed: float) -> None:
 
 
 def _polyline(points: FloatArray) -> PlaneCurve:
+    # straight sides as pieces of degree 2, each with the middle of the side as its inner control point
     knots = np.repeat(lengths_along(points), 2)
     control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
     return PlaneCurve(np.pad(knots, 1, mode="edge"), control, 2)
@@ -660,6 +688,7 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
         inner_knots = (inner_knots[1:-1] - inner_knots[0]) * (length / np.ptp(inner_knots))
         if len(homogeneous):
             last = homogeneous[-1]
+            # pieces share a control point at the joint: give it one weight, then move the whole edge by the gap
             rows = rows * (last[-1] / rows[0, -1])
             gap = (last - rows[0])[:-1] / last[-1]
             rows = (rows + np.append(gap, 0.0) * rows[:, -1:])[1:]

@@ -88,6 +88,7 @@ def write_curves(
             path=path,
             written_suffixes=", ".join(WRITTEN_SUFFIXES),
         )
+    # below, `held` are the curves that are read again from the file
     if suffix == ".json":
         return write_atomically(path, curves_json(curves).encode(), force)
     if suffix == ".csv":
@@ -114,6 +115,7 @@ def write_curves(
 
 
 def _read_again(chain: Chain) -> PlaneCurve:
+    # the curve that `read_curves` makes of a written path
     if len(chain.segments) == 1 and isinstance(chain.segments[0], Spline):
         return chain.segments[0].curve
     return curve_from_run([_edge(segment) for segment in chain.segments])

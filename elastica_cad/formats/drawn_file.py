@@ -48,10 +48,12 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     count = int(np.ceil(_SAMPLES_PER_WIDTH * s[-1] / width))
     at = np.arange(count) / count * s[-1]
     points = points_at(at, s, drawn)
+    # of near samples, those far apart along the outline are on the other side of the stroke
     i, j = near_pairs(points, points, 3 * width)
     between = np.abs(i - j)
     across = np.minimum(between, count - between) > 2 * _SAMPLES_PER_WIDTH
     i, j = i[across], j[across]
+    # distance of each sample from the other side
     opposite = np.full(count, np.inf)
     np.minimum.at(opposite, i, norm(points[i] - points[j]))
     middle = float(np.median(opposite))
@@ -246,6 +248,7 @@ class DrawnCurve:
         if len(cut) < 2:
             return (self,)
         around = f"J{len(cut)}" if self.curve.is_closed else ""
+        # piece k is between names k and k + 1; the ends of a closed curve are one joint
         names = [around, *(f"J{k}" for k in range(1, len(cut))), around]
         return tuple(
             replace(
@@ -309,6 +312,7 @@ class DrawnFile:
         """Return the curves selected by `which` (number or id) and by layer, by default all curves."""
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
+            # first the whole name, then the id or the names of clone and shape, which / separates, then the number
             named = [curve for curve in curves if which and curve.name == which]
             named = named or [
                 curve
@@ -466,6 +470,7 @@ def collect_curves(
     chains, holes = holes_on_chains(joined.chains)
 
     def make(chain: Run, drilled: Sequence[Run]) -> PlaneCurve:
+        # a curve in space and its holes are mapped to one plane, then divided again
         edges = (*chain, *(edge for circle in drilled for edge in circle))
         plane = iter(edges if flat is None else flat(edges, tolerance))
         parts = [tuple(islice(plane, len(part))) for part in (chain, *drilled)]

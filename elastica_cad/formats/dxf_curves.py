@@ -75,7 +75,10 @@ def _check_depth(depth: int) -> None:
 
 
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
-    """Return the number of entities of a layout with expanded blocks, at most 10^9."""
+    """Return the number of entities of a layout with expanded blocks, at most 10^9.
+
+    `known` has the numbers of the blocks counted so far, by name.
+    """
     _check_depth(depth)
     from ezdxf.lldxf.const import DXFError
 
@@ -364,6 +367,7 @@ def _circle(entity: Any, *, full: bool) -> Edge:
 
 
 def _arc_angles(start: float, end: float) -> tuple[float, float]:
+    # anticlockwise from start to end, rad; equal angles are a full turn
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
 
@@ -399,9 +403,11 @@ def _full_period(
     returned unchanged.
     """
     count = len(poles)
+    # multiplicity of the first knot
     first = int(np.count_nonzero(knots == knots[0])) if knots.size else 0
     if not closed or first > degree or count < 2 or knots.size != count + first:
         return knots, poles
+    # each knot of the full vector is the knot `place` of the stored period, moved by `turns` periods
     turns, place = np.divmod(np.arange(count + 2 * degree + 1) - degree + first - 1, count)
     return knots[place] + turns * np.ptp(knots), poles[np.arange(count + degree) % count]
 
@@ -428,6 +434,7 @@ def _spline_through_fit_points(entity: Any) -> Edge:
     if entity.closed and len(points) > 2:
         around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
         return _cubic_spline(around, "periodic")
+    # order of the derivative that is given at each end, and its value
     ends = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)

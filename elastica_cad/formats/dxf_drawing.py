@@ -187,6 +187,7 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
     """Return the bytes of a DXF R12 file, which has no $INSUNITS; a comment states the unit."""
+    # group code and value; 999 is a comment
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]
     for name, corner in zip(("$EXTMIN", "$EXTMAX"), bounds.tolist(), strict=True):
@@ -227,6 +228,7 @@ def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, 
 
 
 def _at(code: int, point: FloatArray | Sequence[float]) -> list[tuple[int, object]]:
+    # tags of a point: the group codes of y and z are those of x plus 10 and 20
     x, y = point
     return [(code, float(x)), (code + 10, float(y)), (code + 20, 0.0)]
 
@@ -243,6 +245,7 @@ def _angles(arc: Arc) -> tuple[float, float]:
 
 
 def _vertices_with_bulges(path: Path) -> list[tuple[float, float, float]]:
+    # x and y of each vertex, and the bulge of the side after it
     segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
     rows = [(*part.start.tolist(), float(part.bulge) if isinstance(part, Arc) else 0.0) for part in segments]
     return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]

@@ -80,6 +80,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         return model
 
 
+# lists of an OBJ file, with the place of their index in the corner of a face, such as 3/1/2
 _OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
 
 
@@ -88,7 +89,7 @@ def _obj_with_positive_indices(data: bytes) -> BytesIO:
 
     A negative index counts back from its own line, but trimesh counts back from the end of the file.
     """
-    counts = [0, 0, 0]
+    counts = [0, 0, 0]  # entries of each list before the line
     lines = []
     for line in data.splitlines():
         kind, *corners = line.split() or (b"",)

@@ -212,7 +212,8 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
     points = sample_run(run)
     x_axis, y_axis = _plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
     normal = np.cross(x_axis, y_axis)
-    before = turned.T @ normal
+    before = turned.T @ normal  # the normal before the rotation
+    # in a horizontal plane the normal points up, else to the side from which the curve turns anticlockwise
     if (before[2] if np.hypot(*before[:2]) < TANGENT else _total_turn(points, normal)) < 0:
         x_axis, normal = -x_axis, -normal
     return Frame((run[0].start @ normal) * normal, x_axis, y_axis)

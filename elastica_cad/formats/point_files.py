@@ -43,8 +43,11 @@ _FRACTIONS = re.compile("[\u00bc-\u00be\u2150-\u215e]")
 
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f]")
 _SEP = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
+# heading with a unit in brackets: text before, unit, text after
 _BRACKETS = re.compile(r"(.*?)\s*[\[({<]\s*([^\])}>]*?)\s*[\])}>](.*)", re.DOTALL)
+# heading with a unit behind it: text, and the unit as a word or as a sign of feet or inches
 _BEHIND = re.compile(r"""(.+?)(?:[\s_/:,-]+([^\W\d_]+\.?)|\s*(["'\u2032\u2033\u2019\u201d]+))""")
+# heading of a coordinate: axis, number of the curve, and the rest, which is a name or a unit
 _AXIS = re.compile(
     r"([xyz])(?:[ _-]?(?:coord|koord|pos|value|wert|achse|axis)[^\W\d_]*)?[ _-]?(\d*)(?:[\W_]+(.*))?"
 )
@@ -232,6 +235,7 @@ class _Layout:
         cls, heads: Sequence[_Head], above: list[Row], below: list[Row], units: list[str]
     ) -> "_Layout":
         """Return the layout with a curve for every pair of columns x and y, or triple x, y and z."""
+        # columns of each axis, one for every curve
         places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
         count = max(len(places["x"]), len(places["y"]))
         for axis, indices in places.items():
@@ -284,6 +288,7 @@ class _Layout:
 
 
 def _cells_of_curve(cells: list[str], places: Sequence[int]) -> list[str]:
+    # the cells in the columns `places` of a curve, or none if x and y are empty
     cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
     return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 
@@ -360,6 +365,8 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
     decimal point, unless the curve would then be smaller than any strip.
     """
     numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
+    # row and cell of the numbers with each sign: "group" if it surely separates thousands, "decimal" if it surely
+    # does not, else "open"
     kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
     for n, cell in numbers:
         for sign, other in (",.", ".,"):
@@ -479,6 +486,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
+    # parts of an inch: denominators of fractions, and eighths
     parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
     # half a unit of the finest fraction or of the last digit; more cells would be slow

@@ -281,10 +281,12 @@ def half_last_place(numbers: Iterable[str]) -> float:
     if not rows:
         return 0.0
     largest = max(size for size, _, _ in rows)
+    # much smaller numbers are rounding errors, whose many decimals do not count
     plain = [row for row in rows if row[0] > 1e-6 * largest or row[0] == 0]
     most = decimals = max(places for _, places, _ in plain)
     significant = max(digits for _, _, digits in plain)
     before_point = int(np.floor(np.log10(largest))) + 1 if largest > 0 else 1
+    # the numbers with most digits before the point
     top = [row for row in plain if row[0] >= 10.0 ** (before_point - 1)]
     # programs that write a fixed number of significant digits write at least 6; otherwise the decimals of the
     # numbers with most digits before the point count if two of them are no multiples of 10

@@ -144,6 +144,7 @@ def _scale(tree: SvgTree) -> FloatArray:
     aspect = tree.root.get("preserveAspectRatio", "")
     if len(known) == 2 and "none" in aspect:
         return np.array(known)
+    # the drawing covers its size with "slice", and fits into its size by default
     return np.full(2, max(known) if "slice" in aspect else min(known))
 
 

@@ -60,7 +60,9 @@ def path_data(text: str) -> PathData:
     >>> path_data("M0 0 Q 10 20 30 0 S 50 10 60 0").runs[0][1].points.tolist()
     [[30.0, 0.0], [30.0, 0.0], [50.0, 10.0], [60.0, 0.0]]
     """
+    # coordinates as written, for the rounding, and the command before
     runs, written, before = [list[Edge]()], list[str](), ""
+    # present point, start of the subpath, and the control point before the present point
     here = start = handle = np.zeros(2)
     for count, (command, words) in enumerate(_commands(text), start=1):
         # a path may have subpaths, of which each is a curve
@@ -69,6 +71,7 @@ def path_data(text: str) -> PathData:
         if not np.all(np.abs(values) < 1e15):
             odd = next(word for word in words if not abs(float(word)) < 1e15)
             raise InputError("has the unusable number {odd} in a path: export the file again", odd=odd)
+        # the first five numbers of an arc are radii, an angle and flags
         written += words[5:] if kind == "A" else words
         origin = here if command.islower() else np.zeros(2)
         if kind == "A":

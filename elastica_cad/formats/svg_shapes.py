@@ -181,11 +181,13 @@ class SvgShapes:
         self._root = root
         # of several elements with one id, the first counts
         self._named = {element.get("id"): element for element in reversed([*root.iter()])}
+        # box of each clip path or mask by its id, None if it is not a rectangle
         self._areas = {
             name: _rectangle(element, extent)
             for name, element in self._named.items()
             if tag(element) in ("clipPath", "mask")
         }
+        # elements that are being visited, to find clones of themselves
         self._open: set[Element] = set()
         # elements without shapes, which clones may repeat without limit
         self._empty: set[Element] = set()
@@ -281,6 +283,7 @@ class SvgShapes:
         )
 
     def _is_area(self, text: str) -> bool:
+        # True for a known clip path or mask, or for a form that is not read; a missing one does not clip
         return _id_in_url(text) in self._areas or not re.match(r"(url\(|none$)", text)
 
 
@@ -305,6 +308,7 @@ def _rectangle(area: Element, around: Extent) -> Box | None:
     return None
 
 
+# axis to which a percentage of an attribute refers: 0 for the width of the viewport, 1 for its height
 _ALONG = dict.fromkeys(("x", "x1", "x2", "cx", "rx", "width"), 0) | dict.fromkeys(
     ("y", "y1", "y2", "cy", "ry", "height"), 1
 )
@@ -374,6 +378,7 @@ def _in_view(element: Element, clone: Element | None, context: Context) -> Conte
         view = (*start.tolist(), *(start + sides).tolist())
         context = context._replace(clips=(*context.clips, (view, np.eye(3))))
     low, extent = (box[:2], box[2:]) if box else ((0.0, 0.0), (float(sides[0]), float(sides[1])))
+    # factors along x and y, and fractions of the free space that is before the drawing
     scales, shares = sides / extent if box else np.ones(2), np.zeros(2)
     if "none" not in aspect:
         scales = np.full(2, scales.max() if "slice" in aspect else scales.min())

@@ -184,6 +184,7 @@ def _apply_styles(root: Element) -> list[str]:
     matcher, unread, inline = Matcher(), list[str](), cache(_declarations)
     for sheet in root.iter():
         for rule, holds in _rules(sheet) if tag(sheet) == "style" else ():
+            # a rule that holds on some screens only (`holds` False) is reported, not applied
             declared = _declarations(rule.content)
             selectors = _selectors(rule.prelude) if holds and declared else []
             for selector in selectors:
@@ -191,10 +192,13 @@ def _apply_styles(root: Element) -> list[str]:
                     matcher.add_selector(selector, declared)
             if declared and not selectors:
                 unread.append(" ".join(serialize(rule.prelude).split()))
+    # the attributes change after all elements are matched, because selectors may refer to attributes
     styles = []
     for node in _Node.from_xml_root(root).iter_subtree():
         element = node.etree_element
         matching = [*(declared for *_, declared in matcher.match(node)), inline(element.get("style", ""))]
+        # the matcher returns rules in the order of the cascade, and the style attribute comes after them; the
+        # stable sort moves declarations with !important to the end, where they replace the others of their name
         ranked = sorted(chain(*matching), key=lambda declared: declared[0])
         styles.append((element, {name: value for _, name, value in ranked}))
     for element, style in styles:
@@ -217,6 +221,7 @@ def _rules(sheet: Element) -> Iterator[tuple[Any, bool]]:
         if rule.type == "qualified-rule" and holds is not None:
             yield rule, holds
         elif rule.type == "at-rule" and rule.content is not None:
+            # rules inside other at-rules, such as @font-face, do not apply (None)
             group = {"media": _applies_on_screen(serialize(rule.prelude)), "supports": True, "layer": True}
             inner = group.get(rule.lower_at_keyword) if holds else holds
             pending += [(part, inner) for part in reversed(parse_rule_list(rule.content, True, True))]
@@ -336,6 +341,7 @@ def transform_matrix(element: Element, around: Extent) -> FloatArray:
     for token in parse_component_value_list(re.sub(r"\s+\(", "(", element.get("transform", ""))):
         if token.type == "function":
             wholes = {"translate": around, "translatex": around, "translatey": around[::-1]}
+            # what 100 % of each argument is; other functions permit no percentages
             shares = cycle(wholes.get(token.lower_name, (np.nan,)))
             written = [word for word in token.arguments if word.type != "whitespace" and word != ","]
             numbers = [_argument(word, whole) for word, whole in zip(written, shares, strict=False)]

@@ -22,6 +22,7 @@ from elastica_cad.geometry.plane_points import norm, place, project, turn_betwee
 from elastica_cad.geometry.polynomials import raise_degree
 from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, kinks, solved
 
+# function of parameters (n,), order of derivative and left-limit flag that returns (n, 2); see `cubic_through`
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
@@ -141,6 +142,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
     for sites in stretches:
         t, c = _complete_spline(motion, sites, tolerance)
         last = sites is stretches[-1]
+        # neighbouring parts share a control point, and the knot there occurs three times
         knots.append(t[: None if last else -4] if not knots else t[1 : None if last else -4])
         points.append(c if not points else c[1:])
     return PlaneCurve(np.concatenate(knots), np.concatenate(points), 3)
@@ -157,6 +159,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
         spans = bezier_spans(knots, 3)
         basis, index = spans.local_basis(sites)
         slopes, _ = spans.local_basis(sites[[0, -1]], 1)
+        # the two tangent equations are next to those of the end points, so that the matrix remains banded
         beside = [1, sites.size - 1]
         rows = np.insert(basis, beside, slopes, axis=0)
         values = np.insert(motion(sites, 0, False), beside, ends, axis=0)
@@ -247,7 +250,10 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest_biarc(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the end parameter and the segments of the longest biarc within the tolerance."""
+    """Return the end parameter and the segments of the longest biarc within the tolerance.
+
+    The biarc begins at `start`, a parameter u with its unit tangent, and ends at the parameter `end` or before.
+    """
     allowed = _USED_SHARE * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -274,7 +280,7 @@ def _longest_biarc(
 
 
 def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
-    """Return the biarc from `start` to parameter b, and its largest error, mm."""
+    """Return the biarc from `start` (parameter and unit tangent) to parameter b, and its largest error, mm."""
     a, s = start
     samples = spline.at(a + (b - a) * _SAMPLES)
     p, q = samples[0], samples[-1]

@@ -18,6 +18,7 @@ _FINE = 1e-14
 # largest number of Newton steps; three are usual, except where the speed is almost 0
 _NEWTON_STEPS = 40
 
+# matrices applied from the right: values at the sites to coefficients, and coefficients to those of the integral
 _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T
 _INTEGRATE = chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0).T
@@ -57,6 +58,7 @@ class ArcLength:
         places, reached = self._table
         cell = reached[1:-1].searchsorted(s, side="right")
         panel = cell // (_PLACES.size - 1)
+        # x is the coordinate in the panel, between `low` and `high`
         low, high = (places[at] - 2.0 * panel for at in (cell, cell + 1))
         x = np.interp(s, reached, places) - 2.0 * panel
         series, slopes = self.series[panel], self._slopes[panel]

@@ -285,7 +285,10 @@ def least_norm_newton(
 def _damped_step(
     curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
 ) -> tuple[PlaneCurve, FloatArray, FloatArray]:
-    """Take the first of `step`, `step` / 2, ... `step` / 64 that reduces the residual."""
+    """Take the first of `step` (m, 2), `step` / 2, ... `step` / 64 that reduces the norm of the residuals.
+
+    Return the moved curve with its residuals and their derivatives.
+    """
     lost: Exception | None = None
     for halving in range(7):
         try:
@@ -303,6 +306,7 @@ def _damped_step(
 
 
 def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[FloatArray, FloatArray]:
+    # residuals (k,) and derivatives (k, 2 m) of all constraints, one after the other
     parts = [constraint.equations(curve) for constraint in constraints]
     if not parts:
         return _no_equations(curve)
@@ -362,6 +366,7 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
             "smaller, or bend the curve more on both sides of each inflection"
         )
     if inflections.size == near.size:
+        # the second argsort gives the rank of each parameter
         return inflections[near.argsort().argsort()]
     picked = inflections[np.abs(inflections[None, :] - near[:, None]).argmin(axis=1)]
     if np.unique(picked).size < near.size:

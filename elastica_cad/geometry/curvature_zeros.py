@@ -27,6 +27,7 @@ _FLAT = 1e-7
 """A function is zero on an interval if all its values there are below this fraction of its size."""
 
 
+# Chebyshev nodes, and the matrices from the values there to Chebyshev and to Bernstein coefficients
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
 _TO_BERNSTEIN = np.linalg.inv(
@@ -113,8 +114,8 @@ def function_zero_places(
         values = sampled(function, low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2)
         tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
         largest = np.abs(values).max(axis=1)
-        # large values have rounding errors above those of the typical size
-        # the polynomial represents the function if its last two coefficients are small
+        # the polynomial represents the function if its last two coefficients are small, compared with the typical
+        # size or with the largest value, whose rounding error may be larger
         followed = tail <= 1e-13 * np.maximum(size, largest)
         # after 12 halvings, errors are rounding errors
         done = followed | (cuts == 12) | (largest <= _FLAT * size)
@@ -129,6 +130,7 @@ def function_zero_places(
     largest = np.abs(values).max(axis=1)
     # smaller coefficients are rounding errors
     flat, noise = largest <= _FLAT * size, 1e-12 * np.maximum(size, largest)
+    # where a span was halved, the function is continuous
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[starts.searchsorted(edges[1:-1]) - 1] = smooth
     return _places(values @ _TO_BERNSTEIN.T, noise, flat, joined, np.append(starts, edges[-1]))
@@ -142,6 +144,7 @@ def _straight_pieces(bezier: FloatArray) -> BoolArray:
     length = np.hypot(along, across)
     sagitta = np.abs((y * along - x * across) / np.where(length > 0, length, 1.0))
     sagitta = np.where(length > 1e-12, sagitta, np.hypot(x, y)).max(axis=1)
+    # an arc with a sagitta h above a chord of length l has the curvature 8 h / l^2
     return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 + 16 * _EPS)
 
 
@@ -187,6 +190,7 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatArray:
+    # rounding errors (p,) of D, from the components d, e (2 or 3, p, n) of its factors
     sizes = np.sqrt((d * d).sum(axis=0).max(axis=1)) + np.sqrt((e * e).sum(axis=0).max(axis=1))
     return np.asarray(8 * _EPS * sizes * (1 + np.abs(centre).max()))
 
@@ -194,9 +198,15 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
 def _places(
     coefficients: FloatArray, noise: FloatArray, flat: BoolArray, smooth: BoolArray, edges: FloatArray
 ) -> tuple[ZeroPlace, ...]:
-    """Return the zeros along a curve of polynomials with Bernstein coefficients (p, n)."""
+    """Return the zeros along a curve of polynomials with Bernstein coefficients (p, n).
+
+    `noise` (p,) are rounding errors. `flat` (p,) marks polynomials that are zero everywhere. `smooth` (p - 1,)
+    marks inner edges at which the function is continuous.
+    """
     count = flat.size
+    # `zero` (p, 2) marks zeros at the start and end of each polynomial, which are divided out
     c, zero = without_end_roots(coefficients, noise, ~flat)
+    # a zero at an edge with a continuous function belongs to both polynomials, even if rounding shows it in one
     for i in np.flatnonzero(smooth & ~flat[:-1] & ~flat[1:]).tolist():
         differ = c[i, -1] * c[i + 1, 0] < 0
         if zero[i, 1] != zero[i + 1, 0] or (differ and not zero[i, 1]):
@@ -205,6 +215,7 @@ def _places(
                     c[j] = divide_out_end_root(c[j], at_end=bool(side))
                     zero[j, side] = True
     curved = np.flatnonzero(~flat)
+    # local coordinate and sign change of each zero inside a piece; the last list remains empty
     inside: list[list[tuple[float, bool]]] = [[] for _ in edges]
     for root in roots(c[curved], noise[curved]):
         inside[curved[root.piece]].append((root.u, root.crossing))

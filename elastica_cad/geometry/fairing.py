@@ -149,6 +149,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
     while spans <= _MOST_SPANS:
         fairing, length = _fitted(curve, tolerance, spans, unbent, length)
         best = fairing or best
+        # knots are close enough if the smoothing length spans 1.5 of them; skip numbers that would not be enough
         if length * spans >= _FINE * curve.length:
             break
         spans *= 2
@@ -200,7 +201,30 @@ class _Problem:
     """Least squares problem for a given number of knot spans.
 
     The unknowns are x and y of each free control point. On an open curve, the control points at the ends are
-    fixed. On a closed curve, the last control points repeat the first.
+    fixed. On a closed curve, the last control points repeat the first. Samples are indexed by span and number n
+    in the span; a span has 5 control points, so 10 coordinates.
+
+    Attributes
+    ----------
+    width : float
+        Length of a knot span, mm.
+    data, across : (spans, n, 2) array
+        Points of the drawn curve, mm, and its unit normals.
+    basis : list of (spans, n, 5) array
+        Basis functions and their derivatives of order 1 to 3 at the samples.
+    support : (spans, 5) int array
+        Control points of each span.
+    held : (m, 2) array
+        Fixed control points, mm; rows of free control points are 0.
+    places : (m,) int array
+        Number of each control point among the free ones; -1 if it is fixed.
+    columns : (spans, 10) int array
+        Unknowns of each span; negative for fixed coordinates.
+    lower, cells, band
+        Elements of the matrices (10, 10) of all spans that are in the lower triangle, their positions in the
+        flat band matrix, and the shape of the band matrix.
+    data_part : NormalEquations
+        Normal equations of the squared distance from the drawn curve.
     """
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
@@ -240,6 +264,7 @@ class _Problem:
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
         """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
         step = self.width / DEGREE * unit_vectors(ends.angle)
+        # two fixed control points keep an end and its tangent; a third makes the curvature 0
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
         # on a straight line with constant speed, the first control points are 0, 1 and 3 times `step` from the end
         reach = np.array([0.0, 1.0, 3.0])[:, None]
@@ -259,12 +284,15 @@ class _Problem:
         return numbers.reshape(*direction.shape[:2], -1)
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
+        # derivatives (spans, n, 2) of the curve at the samples
         return self.basis[derivative] @ points[self.support]
 
     def _applied(self, rows: FloatArray, points: FloatArray) -> FloatArray:
+        # values (spans, n) of the matrices from `_rows` for control points (m, 2)
         return (rows @ points[self.support].reshape(len(rows), -1, 1))[..., 0]
 
     def _normal_equations(self, rows: FloatArray, target: FloatArray) -> NormalEquations:
+        # least squares of rows (spans, n, 10) times unknowns minus target (spans, n)
         transposed, free = rows.transpose(0, 2, 1), self.columns >= 0
         sums = transposed @ (target - self._applied(rows, self.held))[..., None]
         band = np.bincount(self.cells, (transposed @ rows)[self.lower], self.band[0] * self.band[1])
@@ -308,6 +336,7 @@ class _Problem:
         # usual relative growth of the distance with the relative growth of the smoothing length
         before, rise = None, 3.0
         for _ in range(_MOST_TRIALS):
+            # the weight is the sixth power of the smoothing length, of which `trial` is the logarithm
             points = self._solved(slope, float(np.exp(6 * trial)))
             off = np.abs(dot(self._values(points, 0) - self.data, self.across)).max()
             excess = float(np.log(off / limit + 1e-12))

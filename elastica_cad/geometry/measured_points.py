@@ -115,6 +115,7 @@ class MeasuredPoints:
             return ()
         rough = np.abs(_differences(self.points, 4)[0])
         first = int(rough.argmax())
+        # the largest difference contains five points; the outlier is the one whose removal helps most
         near = range(max(1, first), min(count - 1, first + 5))
         remaining_points = {at: np.delete(self.points, at, axis=0) for at in near}
         without = {at: np.abs(_differences(points, 4)[0]).max() for at, points in remaining_points.items()}
@@ -138,6 +139,7 @@ class MeasuredPoints:
 
         Angles to the left are positive. Points beyond the ends have the angle 0.
         """
+        # with two zeros at each end, the turn at point i has the index i + 1
         turn = np.pad(self._turns[0], 2)
         at = int(norm(self.points - place).argmin())
         before, here, after = turn[at : at + 3].tolist()
@@ -228,6 +230,7 @@ def estimate_noise(points: FloatArray) -> float:
             for p, order in zip(around, ORDERS, strict=True)
             if len(p) - order >= FEWEST
         ]
+        # estimates of the orders k and k + gap
         pairs = ((gap, *pair) for gap in (2, 1) for pair in zip(sizes, sizes[gap:], strict=False))
         noise = next((higher for gap, lower, higher in pairs if higher > SETTLED**gap * lower), 0.0)
         spacing = lengths_along(points)[-1] / len(points)

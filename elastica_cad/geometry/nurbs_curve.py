@@ -138,7 +138,10 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
-    """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
+    """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2).
+
+    Piece i is between the parameters edges[i] and edges[i + 1].
+    """
     part, low, width = hodographs, edges[:-1], np.diff(edges)
     size = norm(part)
     largest = size.max(axis=1)
@@ -220,6 +223,7 @@ class RationalPieces:
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
         """Return position and derivatives up to `order` at local coordinates u (n,) of the spans `index` (n,)."""
+        # columns: x, y (and w of a rational curve), then their derivatives order by order
         values = sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series_to(order), index)
         size = values.shape[1] // (order + 1)
         rows = [values[:, k : k + size] for k in range(0, values.shape[1], size)]
@@ -249,6 +253,7 @@ class RationalPieces:
             return edges
         velocity = hodograph(self.bezier[beyond])
         inner = interior_roots(np.concatenate([velocity[..., 0], velocity[..., 1]]))
+        # the polynomials are the x of all pieces, then the y of all pieces
         at = beyond[np.array([r.piece for r in inner], dtype=int) % beyond.size]
         return np.concatenate(
             [edges, edges[at] + np.array([r.u for r in inner]) * (edges[at + 1] - edges[at])]
@@ -265,6 +270,7 @@ class RationalPieces:
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
     def _series_to(self, order: int) -> FloatArray:
+        # `_series` of all orders 0 to `order`, side by side on the last axis, stored in `_known` by order
         if order not in self._known:
             self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
         return self._known[order]
@@ -375,6 +381,7 @@ class KnotSides:
             _side(turning, t, pieces.at(t, ORDERS_OF_SIDES, left=left), left=left)
             for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False))
         )
+        # remove the full turns between the end and the start of the curve
         after[0] = before[0] + (after[0] - before[0] + np.pi) % (2 * np.pi) - np.pi
         return cls(before, after)
 
@@ -385,6 +392,7 @@ class KnotSides:
 
 
 def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *, left: bool) -> FloatArray:
+    # the rows (4, n) of `KnotSides`, from position and four derivatives (n, 2) at parameters t (n,)
     _, d1, d2, d3, d4 = derivatives
     return np.array([
         turning.at(t, d1, left=left),
@@ -408,7 +416,10 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str],
     rounding: float,
 ) -> None:
-    """Refuse a curve whose speed is 0 somewhere, because it has no tangent there."""
+    """Refuse a curve whose speed is 0 somewhere, because it has no tangent there.
+
+    The function `shown` formats a point (2,) for a message. `rounding` is the rounding of the file, mm.
+    """
     size = np.ptp(control_points, axis=0).max()
     if size == 0:
         raise InputError("all control points coincide, so the curve has no length: draw the curve again")
@@ -730,6 +741,7 @@ class NurbsCurve:
         for r, row in enumerate(_de_boor(self.knots, points, last, end), 1):
             points[last - p + r] = row[0]
         knots = np.minimum(self.knots, end)
+        # the start is inserted into the knots of the part up to the end
         first = int(knots.searchsorted(start, side="right")) - 1
         for r, row in enumerate(_de_boor(knots, points, first, start), 1):
             points[first - r] = row[-1]

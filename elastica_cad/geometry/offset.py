@@ -68,7 +68,8 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
 class _Element:
     """Piece of the offset path before trimming.
 
-    `piece` is a moved segment, an arc at a corner, or None for a vanished segment.
+    `piece` is a moved segment, an arc at a corner, or None for a vanished segment. `source_length`, mm, and the
+    point `source` (2,) belong to the segment of the original path; at a corner they are 0 and the corner.
     """
 
     piece: Segment | None
@@ -144,6 +145,7 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
     """Return the arc between the offsets of two segments, or None at an inner corner."""
     along = before.tangent_at(1.0)
     turn = float(turn_between(along, after.tangent_at(0.0)))
+    # no arc at an inner corner, or where the moved segments still meet
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
         return None
     first = float(angle_of(left_of(along) * np.sign(left)))
@@ -151,7 +153,11 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 def _joined(elements: list[_Element], closed: bool, distance: float) -> list[Segment]:
-    """Return the pieces of the offset path in order, trimmed at their crossings, without vanished pieces."""
+    """Return the pieces of the offset path in order, trimmed at their crossings, without vanished pieces.
+
+    If two neighbours do not meet, the shorter one is removed. A piece without a part between its crossings is
+    removed too, the shortest first. The others are then trimmed again.
+    """
     alive = {i: element.piece for i, element in enumerate(elements) if element.piece is not None}
     while True:
         lost = _lost_element(elements, alive, closed, distance)
@@ -183,6 +189,7 @@ def _lost_element(
 ) -> _Element | None:
     """Return a vanished element if the vanished part of the path is too long, else None."""
     n, first = len(elements), min(alive, default=0)
+    # a single remaining piece of a closed path must be closed, such as a circle
     alone = closed and len(alive) == 1 < n
     if not alive or (alone and not meets(alive[first], alive[first])):
         return elements[0]

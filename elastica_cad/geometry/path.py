@@ -168,6 +168,7 @@ class Arc:
                 "bulge other than 0"
             )
         square = bulge * bulge
+        # signed distance of the center from the middle of the chord, divided by the chord
         off = (1 - square) / (4 * bulge)
         x, y = (x0 + x1) / 2 - (y1 - y0) * off, (y0 + y1) / 2 + (x1 - x0) * off
         first = atan2(y0 - y, x0 - x)
@@ -429,7 +430,8 @@ def _halve_chords(
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
     """Insert points until chords are accurate. Return segment indices, parameters u and points (n, 2).
 
-    Only chords that start at a parameter with `bent` True are divided.
+    The function `at` returns points of the segments `which` (n,) at u (n,); both are in the order of the points.
+    Only chords that start at a parameter with `bent` (n,) True are divided.
     """
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
@@ -439,6 +441,7 @@ def _halve_chords(
     while len(rounds) <= MOST_ROUNDS:
         inner = low[:, None] + (high - low)[:, None] * _PROBES
         probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
+        # the factor allows for a largest error between the probes
         bad = _chord_errors(begins, ends, probes) > 0.95 * tolerance
         if not bad.any():
             break
@@ -452,6 +455,7 @@ def _halve_chords(
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
+    # largest distances (k,) of probes (k, 3, 2) from the chords between points (k, 2)
     chord, off = ends - begins, probes - begins[:, None, :]
     size = dot(chord, chord)[:, None]
     # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
@@ -469,6 +473,8 @@ The function returns points (n, 2) for the order 0, and their derivatives by u f
 class SegmentTable:
     """Lines, arcs and splines that are evaluated together.
 
+    Segments of one kind share a motion, a function that evaluates all of them in one call: see `_Motion`.
+
     Examples
     --------
     >>> table = SegmentTable([Line((0, 0), (4, 0)), Arc((0, 0), 2.0, 0.0, np.pi)])
@@ -480,6 +486,7 @@ class SegmentTable:
         kinds: dict[Hashable, list[int]] = {}
         for i, segment in enumerate(segments):
             kinds.setdefault(_kind(segment), []).append(i)
+        # segment i is number `_number[i]` of the segments in the motion `_motions[_kind[i]]`
         self._kind, self._number = np.empty((2, len(segments)), dtype=int)
         self._motions: list[_Motion] = []
         for k, members in enumerate(kinds.values()):
@@ -513,6 +520,7 @@ def _chords(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, Fl
 
 
 def _kind(segment: Segment) -> Hashable:
+    # segments with equal keys share a motion; a rational or unclamped spline is its own key
     if isinstance(segment, Spline):
         curve = segment.curve
         clamped = (curve.knots[0], curve.knots[-1]) == curve.domain
@@ -554,7 +562,10 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
-    """Return a function that evaluates all splines as one B-spline. Spline i has the parameters 2 i to 2 i + 1."""
+    """Return a function that evaluates all splines as one B-spline. Spline i has the parameters 2 i to 2 i + 1.
+
+    The knots of each spline run from 0 to 1. Zero control points fill the unused spans between the splines.
+    """
     nothing = np.zeros((degree + 1, 2))
     chain = [part for array in points for part in (array, nothing)][:-1]
     joined = SplineFunction(
@@ -562,6 +573,7 @@ def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degre
     )
 
     def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
+        # the end of a spline belongs to the unused span after it, so evaluate just before the end
         at = np.minimum(2.0 * which + u, np.nextafter(2.0 * which + 1, 0.0))
         return joined(at, derivative)
 
@@ -590,6 +602,7 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
 
 def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
     """Return the least distances (n,), mm, of points (n, 2) from a polyline with vertices (m, 2)."""
+    # blocks of points limit the memory for the distances from all chords
     rows = max(1, _BLOCK * _BLOCK // (16 * len(line)))
     return np.concatenate(
         [
@@ -627,6 +640,7 @@ def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray,
 
 def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
     off = p - arc.center
+    # True for points whose nearest point of the circle is on the arc
     on = np.mod(np.sign(arc.sweep) * (angle_of(off) - arc.start_angle), 2 * np.pi) <= abs(arc.sweep)
     ends = [norm(p - end) for end in (arc.start, arc.end)]
     return np.where(on, np.abs(norm(off) - arc.radius), np.minimum(*ends))

@@ -101,14 +101,16 @@ def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
     q = np.concatenate([p, p[:1]]) if closed else p
     q = q[np.append(True, norm(np.diff(q, axis=0)) > 0)]
     i, j = _candidate_pairs(q, q)
+    # this also drops j < i, because each pair occurs in both orders; the last term is the first and last chord
     neighbours = (j - i <= 1) | (closed & (j - i == len(q) - 2))
     return _first_crossing(q, q, i[~neighbours], j[~neighbours])
 
 
 def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) -> FloatArray | None:
-    """Return the first crossing of chords i of a line p and j of a line q, or None.
+    """Return the first crossing (2,) of chords i (k,) of a polyline p and j (k,) of a polyline q, or None.
 
-    Chords on one line cross in the middle of the first.
+    The pairs are in the order of `_candidate_pairs`, so the crossing is on the first crossed chord of p. Two chords
+    on one straight line cross if their boxes overlap, and the result is then the middle of the chord of p.
     """
     a, b, c, d = p[i], p[i + 1], q[j], q[j + 1]
     hit = (_side(a, b, c) * _side(a, b, d) <= 0) & (_side(c, d, a) * _side(c, d, b) <= 0)
@@ -121,7 +123,7 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Return the index pairs of chords whose bounding boxes overlap, in order."""
+    """Return the index pairs i, j (k,) of chords of p and q whose bounding boxes overlap, ordered by i, then j."""
     first, second = _box_tree(p), _box_tree(q)
     i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
     while True:
@@ -131,6 +133,7 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
         if len(first) == len(second) == 1:
             order = np.lexsort((j, i))
             return i[order], j[order]
+        # descend in the taller tree first, so that both reach their chords together
         deepest = max(len(first), len(second))
         if len(first) == deepest:
             first.pop()
@@ -147,7 +150,10 @@ _FAN = 8
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the boxes of the chords, then of groups of boxes, up to a single box around everything."""
+    """Return the boxes of the chords, then of groups of boxes, up to a single box around everything.
+
+    Each level has the lower left and the upper right corners, (k, 2) each.
+    """
     levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
     while len(levels[-1][0]) > 1:
         low, high = levels[-1]
@@ -175,7 +181,7 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Return the parameters at crossings of chords. Each chord is extended by a tenth beyond its ends."""
+    """Return the parameters (u, v) at crossings of chords. Each chord is extended by a tenth beyond its ends."""
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -242,6 +248,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
             least=BareLength(path.bounds[0, 0]),
             most=Length(path.bounds[1, 0]),
         )
+    # the closed path may start inside a part, whose two runs are joined here
     if len(runs) > 1 and meets(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
     chain: list[Segment] = []
@@ -289,6 +296,7 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
 
 
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
+    # a wall at an end of the path would cut off parts of no length
     (left, bottom), (right, top) = path.bounds
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
     return _runs(path, walls, lambda place: low <= float(place[0]) <= high)
@@ -309,4 +317,5 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 
 def _is_within(segment: Segment, u: float) -> bool:
+    # True unless the point is at an end of the segment, where a cut would leave a part of no length
     return 0 < u < 1 and bool(norm(np.array([segment.start, segment.end]) - segment.at(u)).min() > JOIN)

@@ -214,7 +214,10 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def smooth_panels(self) -> FloatArray:
-        """Parameters at the ends of panels. In each panel, a Gauss rule of 16 points has only rounding errors."""
+        """Parameters (k + 1,) at the ends of panels.
+
+        In each panel, a Gauss rule of 16 points has only rounding errors.
+        """
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
@@ -355,6 +358,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def _continuity(self) -> IntArray:
+        # numbers (p - 1,) of continuous derivatives by arc length at the interior knots
         if self._is_smooth(ORDERS_OF_SIDES):
             return self._knot_orders
         return np.maximum(self._knot_orders, agreeing_orders(self._knot_sides, self.length))
@@ -400,6 +404,7 @@ class PlaneCurve(NurbsCurve):
         return tuple(places)
 
     def _measured(self, places: tuple[zeros.ZeroPlace, ...]) -> tuple[CurvatureZero, ...]:
+        # the same zeros with their arc lengths
         s = self.arc_length(np.array([[place.t, place.t_end] for place in places]).reshape(-1, 2))
         return tuple(
             CurvatureZero(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)

@@ -118,6 +118,7 @@ def is_similarity(matrix: FloatArray) -> bool:
     """Return True if a 3x3 affine matrix maps circles to circles."""
     (a, b, _), (c, d, _), _ = matrix.tolist()
     slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
+    # a rotation, or else a reflection, each with a scale
     turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
     return turned or bool(abs(b - c) <= slack and abs(d + a) <= slack)
 
@@ -329,9 +330,11 @@ def blocks_of_near_pairs(
     cells = both - both.min(axis=0, initial=np.inf)
     cell = max(reach, _FINEST_CELL * cells.max(initial=0.0))
     row, column = np.floor(cells / cell).astype(np.int64).T
+    # numbers (n + m, 3) of the cell of each point, with the same column in the rows before, here and after
     numbers = (row * _ROW + column)[:, None] + np.array([-_ROW, 0, _ROW])
     order = numbers[len(points) :, 1].argsort(kind="stable")
     in_order, near = numbers[len(points) :, 1][order], numbers[: len(points)]
+    # the cells near - 1, near and near + 1 are neighbours in a row, so their points are consecutive in `in_order`
     first = in_order.searchsorted(near - 1)
     counts = in_order.searchsorted(near + 1, side="right") - first
     if most is not None:
@@ -359,7 +362,11 @@ def distinct(values: FloatArray) -> FloatArray:
 
 
 def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
-    """Return the part of a line inside a box as end points (2, 2), or None if the line misses the box."""
+    """Return the part of a line inside a box as end points (2, 2), or None if the line misses the box.
+
+    The line is given by a point (2,) and a direction (2,), the box by its least and largest coordinates (2,).
+    """
+    # if the line is parallel to an axis, the quotients of the other axis are replaced below
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
     inside = np.all((direction != 0) | ((low <= point) & (point <= high)))

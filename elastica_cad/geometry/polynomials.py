@@ -122,6 +122,7 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
     ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
     for i in (ends.any(axis=1) & which).nonzero()[0].tolist():
         for side in (0, 1):
+            # -side is the index of the first or of the last coefficient
             for _ in range(c.shape[1] - 1):
                 if abs(c[i, -side]) > noise[i]:
                     break
@@ -141,6 +142,7 @@ def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
 
 @lru_cache(maxsize=64)
 def _division(n: int, at_end: bool) -> FloatArray:
+    # matrix (n + 1, n + 1) of `divide_out_end_root`: rows are the quotients of each Bernstein polynomial
     index = np.arange(n)
     unit = np.eye(n + 1)
     return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
@@ -211,6 +213,7 @@ def _events(c: FloatArray, noise: FloatArray) -> list[_Event]:
         single = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
         none = some & (changes == 0) & ~blurred
         cluster = ~some if depth < _MOST_HALVINGS else ~(single | none)
+        # starts and ends inside each part, as fractions of the part
         sharp = _enclosed(part[single], noise[piece[single]])
         for i, start, end in zip(single.nonzero()[0].tolist(), *sharp, strict=True):
             place, length = float(low[i]), float(width[i])
@@ -266,6 +269,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
     with np.errstate(divide="ignore", invalid="ignore"):
         for _ in range(80):
             value, slope = value_and_slope(c, u)
+            # True if the zero is before u
             beyond = (value > 0) == rising
             low, high = np.where(beyond, low, u), np.where(beyond, u, high)
             newton = u - value / slope
@@ -311,6 +315,7 @@ def _classified(c: FloatArray, events: list[_Event]) -> list[Root]:
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
     """Return the multiple zero in [a, b]: a zero of the first derivative, or of the second if the sign changes."""
+    # differences of Bernstein coefficients are those of the derivative, except for a factor
     derivative = np.diff(c, 2 if crossing and c.size > 2 else 1)
     middle, reach = (a + b) / 2, 2 * (b - a) + 1e-12
     u = middle
@@ -465,6 +470,7 @@ def lobatto_places(parts: int) -> FloatArray:
 _DENSE = lobatto_places(DENSE_PARTS)
 _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
+# the matrices of the first, second and third derivative side by side, (p, 3 p); at the samples as (n, 3, p)
 _ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
 _DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
 

@@ -126,6 +126,7 @@ class Profile:
             )
         through = spline_through(s, values, min(3, s.size - 1))
         knots, coefficients = through.knots, through.coefficients
+        # two or three values give a polynomial of a lower degree, which is raised to 3
         while knots.size < 8:
             knots = np.pad(knots, 1, mode="edge")
             coefficients = raise_degree(coefficients)

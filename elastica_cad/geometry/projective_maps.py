@@ -86,6 +86,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
                 f"{name}: handles {numbers} are on one line, through {place(handles[three[0]])} and "
                 f"{place(handles[three[2]])}: move one off this line"
             )
+    # the fourth point is a sum of the first three with these factors; `back` restores position and size
     shares = np.linalg.solve(rows[:3].T, rows[3])
     back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])
     return np.asarray(back @ (rows[:3] * shares[:, None]).T)
@@ -142,6 +143,7 @@ def _positive_pieces(
     Pieces are halved where the map could send a point to infinity. `back` is the inverse map.
     """
     sign = np.sign(bezier[0, 0, 2])
+    # stack of start, end, control points and number of halvings, with the first piece on top
     todo = [(float(a), float(b), p * sign, 0) for a, b, p in zip(edges[:-1], edges[1:], bezier, strict=True)][
         ::-1
     ]

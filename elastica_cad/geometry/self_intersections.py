@@ -51,6 +51,7 @@ def find_self_intersections(
     """
     # smaller pieces are starts for Newton's method
     small = 1e-4 * float(np.ptp(project(bezier), axis=(0, 1)).max())
+    # parts of pieces with their parameters from `low` to `high`, and indices of pairs of parts that may meet
     part, low, high = bezier, edges[:-1], edges[1:]
     first, second = np.triu_indices(low.size)
     guesses: list[FloatArray] = []
@@ -89,6 +90,7 @@ def _halved(
     middle = (low[used] + high[used]) / 2
     low = np.stack([low[used], middle], axis=1).ravel()
     high = np.stack([middle, high[used]], axis=1).ravel()
+    # the halves of part i are 2 i and 2 i + 1; each pair gives four pairs of halves, without doubles of equal parts
     a = (2 * first[:, None] + np.array([0, 0, 1, 1])).ravel()
     b = (2 * second[:, None] + np.array([0, 1, 0, 1])).ravel()
     return halves, low, high, a[a <= b], b[a <= b]
@@ -118,6 +120,7 @@ def _polished(
     n = len(pairs)
     met = norm(p[n:] - p[:n]) <= 1e-5 * small
     speed = norm(v)
+    # refuse pairs that Newton's method moved far from their parts, or to one and the same point
     moved = (np.abs(pairs - start) * np.column_stack([speed[:n], speed[n:]])).max(axis=1)
     apart = (pairs[:, 1] - pairs[:, 0]) * np.minimum(speed[:n], speed[n:])
     return np.asarray(pairs[met & (moved <= 10 * small) & (apart > 1e-3 * small)])
@@ -170,6 +173,7 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
     if cones.standstill is not None:
         return None
     across = views.transpose(2, 0, 1)
+    # the angle is extreme where the determinant of direction and its derivative is 0, at joints or at the ends
     first, second = product(across, (across[..., 1:] - across[..., :-1])[::-1])
     roots = interior_roots(first - second)
     piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])

@@ -218,7 +218,7 @@ class Spans:
         return out
 
     def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
-        """Return the degree + 1 nonzero basis functions, (n, degree + 1), and the span index (n,)."""
+        """Return the nonzero basis functions or their derivatives (n, degree + 1), and the span indices (n,)."""
         index, u = self.locate(t)
         bernstein = bernstein_values(self.degree, u, derivative) / self.widths[index][:, None] ** derivative
         return np.einsum("ni,nij->nj", bernstein, self.matrix[index]), index
@@ -237,8 +237,10 @@ def _spans(written: bytes, degree: int) -> Spans:
     """Return the spans of knots that are passed as bytes, because arrays cannot be keys of the cache."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
+    # knots (2 degree, p) around the p spans; `ends` (2, p) are the start and end of each span
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
+    # axes: row of the triangle, Bezier point j, factor of each control point, span
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
@@ -291,7 +293,11 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the coefficients, local coordinates and widths of the pieces that contain x."""
+        """Return the coefficients, local coordinates and widths of the pieces that contain x.
+
+        The coefficients are Bezier rows (degree + 1, ...), with the shape of x after the first axis. The others
+        have axes of length 1 appended, so that they can be multiplied with a row.
+        """
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
         after = x.shape + (1,) * (self.coefficients.ndim - 1)
@@ -317,6 +323,7 @@ class SplineFunction:
 
     @cached_property
     def _rows(self) -> FloatArray:
+        # `pieces` with the degree as the first axis: (degree + 1, p, ...)
         return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
@@ -371,6 +378,7 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
         The rows do not determine the spline.
     """
     columns = spans.columns[index]
+    # band storage of LAPACK: element (i, j) is in row 2 degree + i - j, and the first `degree` rows are workspace
     bands = np.zeros((3 * spans.degree + 1, spans.count), order="F")
     bands[2 * spans.degree + np.arange(spans.count)[:, None] - columns, columns] = basis
     right = values.reshape(spans.count, -1)
@@ -388,6 +396,7 @@ def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, F
     Segments of at most a quarter turn are joined by double knots at their angles. The middle control point of a
     segment of angle 2 h has the weight cos h (Piegl and Tiller, The NURBS Book, section 7.3).
     """
+    # the factor prevents a further segment because of rounding errors
     count = max(1, ceil(abs(end - start) / (pi / 2) * (1 - 1e-12)))
     half = (end - start) / count / 2
     angle = start + half * np.arange(2 * count + 1)
@@ -493,8 +502,10 @@ def adaptive_spline(
     while True:
         low, widths = edges[:-1], np.diff(edges)
         full = clamped_knots(edges, order, degree)
+        # rows are spans; the columns are Gauss nodes for the fit, then probes for the error
         x = low[:, None] + widths[:, None] * np.concatenate([(1 + sites) / 2, _PROBES])
         values = sampled(function, x)
+        # `_nearest` squares its weights, so it minimises the integral of the squared error by Gauss's rule
         weights = np.sqrt(widths[:, None] * weight)
         spans = bezier_spans(full, degree)
         coefficients = _nearest(spans, x[:, : sites.size], values[:, : sites.size], weights)
@@ -517,7 +528,10 @@ def adaptive_spline(
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
-    """Return the initial edges, and the continuity at breaks. Breaks that are too close count as one break."""
+    """Return the initial edges (k,), and a dict from the x of a break to its number of continuous derivatives.
+
+    Breaks that are too close count as one break, with the smallest of their numbers.
+    """
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
     for place, continuity in sorted(breaks):
@@ -555,14 +569,16 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Return the coefficients of the spline that approximates values at x by weighted least squares.
+    """Return the coefficients (m, ...) of the spline that approximates values at x by weighted least squares.
 
-    This replaces `make_lsq_spline` of SciPy, whose import is slow.
+    x and the weights have the shape (p, k), the values (p, k, ...). Errors are multiplied by their weights and then
+    squared. This replaces `make_lsq_spline` of SciPy, whose import is slow.
     """
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]
     rows, targets = basis * weight, values.reshape(x.size, -1) * weight
     order = range(rows.shape[1])
+    # lower band storage of LAPACK: element (i, j) of the normal matrix is in row i - j and column j
     band = np.zeros((rows.shape[1], spans.count))
     right = np.zeros((spans.count, targets.shape[1]))
     for a in order:
@@ -629,6 +645,7 @@ def fit_spline(
             # enough points for each control point for a fit within a third of the tolerance
             ample = len(data) >= 4 * len(control)
             aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
+        # with a given smoothing, further knots may not reduce the error
         if worst <= aim or (smoothing and worst > 0.95 * before):
             break
         added = _new_knots(problem.spans.edges, t, error, aim)
@@ -696,9 +713,11 @@ def closed_spline(
     crowd = ceil(mean / 0.1 * count / lengths_along(points)[-1])
     step = max(1, min(crowd, count // FEWEST_AROUND))
     some = thinned(around, step)
+    # `periodic` is the tuple (knots, coefficients, degree); `places` are the parameters of the points in 0..1
     (periodic, places), *_ = splprep(
         some.T, s=(len(some) - 1) * mean**2, k=degree, per=True, quiet=2, full_output=True
     )
+    # parameter of the first of the given points, where the clamped spline starts
     start = np.interp(count - first, thinned(np.arange(count + 1.0), step), places)
     near = np.sort((periodic[0][degree : -degree - 1] - start) % 1.0)
     inner = near[(near > _SAME_BREAK_SHARE) & (near < 1 - _SAME_BREAK_SHARE)]
@@ -709,7 +728,10 @@ def closed_spline(
 
 
 class _Problem:
-    """Least-squares problem for the control points of a spline with given knots."""
+    """Least-squares problem for the control points of a spline with given knots.
+
+    The data are points (n, 2) at parameters t (n,) from 0 to 1, and control points are (m, 2).
+    """
 
     def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
         self.knots = knots
@@ -717,11 +739,13 @@ class _Problem:
         self.data = data
         gram = _derivative_gram(self.spans)
         self.scale = float(gram.trace())
+        # with the trace n, a factor of the penalty has the same effect for all knots and numbers of points
         self.penalty = gram * (data.shape[0] / self.scale)
+        # latest parameters and their basis (n, m), which several methods need
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def solved(self, t: FloatArray, weight: float) -> tuple[FloatArray, FloatArray]:
-        """Fit the control points, and correct the parameters `_CORRECTIONS` times."""
+        """Return the fitted control points, and the parameters after `_CORRECTIONS` corrections."""
         control = self.fitted(t, weight)
         for _ in range(_CORRECTIONS):
             t = self.feet(control, t)
@@ -784,6 +808,7 @@ def _smoothed(
 
     The largest error is at most `tolerance`, and the root mean square error at most `mean`.
     """
+    # bisection of the logarithm of the penalty; `control` is the smoothest spline that is close enough
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2
@@ -816,6 +841,7 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
     gram, basis = _derivative_gram(spans), spans.basis(t)
     n, m = basis.shape
     gram = gram / gram.trace()
+    # minimum with equality constraints: the lower rows of the solution are Lagrange multipliers
     saddle = np.block([[gram, basis.T], [basis, np.zeros((n, n))]])
     right = np.concatenate([np.zeros((m, 2)), data - data[0]])
     try:
@@ -871,9 +897,9 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """Return a knot to add in each span with an error above the tolerance.
+    """Return the knots to add: one in each span with an error (n,) at t (n,) above the tolerance.
 
-    It is in the middle of the span or, if the span has few data, in the middle of the data.
+    A knot is in the middle of the span or, if the span has few data, in the middle of the data.
     """
     span = (edges.searchsorted(t, side="right") - 1).clip(0, edges.size - 2)
     worst = np.zeros(edges.size - 1)

@@ -97,6 +97,7 @@ def heal_tangents(
     turns = [_turn(knots, control_points, degree, node, rounding) for node in _nodes(knots, degree)]
     if _closes(knots, control_points, degree, weights):
         around = _control_points_at_seam(control_points, degree)
+        # `_turn` uses the knots only for the parameter of the node, here the start of the curve
         turns.append(_turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding))
     # smaller corners, in rad, are harmless
     explained = [turn for turn in turns if 1e-9 < turn.angle <= turn.bound]
@@ -123,14 +124,20 @@ def heal_tangents(
 
 
 def _nodes(knots: FloatArray, degree: int) -> IntArray:
-    """Return the indices of the control points at inner knots of full multiplicity."""
+    """Return the indices of the control points at inner knots of full multiplicity.
+
+    The knot of node i is knots[i + 1], the first of its equal knots.
+    """
     values, counts = knot_runs(knots)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
     return np.asarray((counts.cumsum() - counts)[inner] - 1, dtype=int)
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
-    """Return the incoming and outgoing handle at a node, and the indices of their far ends."""
+    """Return the incoming and outgoing handle (2,) at a node, and the indices of their far ends.
+
+    Control points that coincide with the node are passed over.
+    """
     size = norm(np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0))
     before, after = node - 1, node + 1
     while before > node - degree and norm(points[node] - points[before]) <= _SHORT * size:
@@ -163,6 +170,7 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 
 def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:
+    # control points (2 degree + 1, 2) of the last and the first piece, with the start as node `degree`
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 
@@ -170,6 +178,7 @@ def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
     """Turn the handles at a node into a common direction. The array `points` is changed."""
     into, out, before, after = _handles(points, node, degree)
     inward, onward = float(norm(into)), float(norm(out))
+    # fraction of the corner by which the incoming handle turns; a straight piece does not turn
     share = onward / (inward + onward)
     straight = (
         is_straight(points[node - degree : node + 1]),
