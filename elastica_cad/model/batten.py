@@ -249,6 +249,7 @@ class BattenSpec:
         return Batten(self, _with_straight_ends(_rod_between_hinges(self, taper, chord, 2401).curve))
 
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
+        # `side` has the sign of the required taper; `most` is the taper at the limit
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_for_taper(most, chord)
         # round towards the middle of the chord, so that the suggested position is possible
@@ -270,6 +271,7 @@ class BattenSpec:
     @property
     def _untapered_chord(self) -> float:
         """Ratio of chord to length if the untapered batten bends to half a sine wave."""
+        # 2.4 is about (pi / 2)^2
         return 1 - 2.4 * self.camber**2
 
     def _place_for_taper(self, taper: float, chord: float) -> float:

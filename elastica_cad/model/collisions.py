@@ -180,6 +180,7 @@ def _deepest_sample(
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
+    # distance, mm, of a sample from the middle surface of `b` at which the strips touch
     thick = (a.thickness + b.thickness) / 2 if is_flush else b.thickness / 2
     s, across, place, tangent = a.samples(inset)
     left = left_of(tangent)
@@ -198,9 +199,11 @@ def _deepest_sample(
     depth = np.minimum(thick - norm(gap), b.ruled.half_width(foot) - np.abs(local[:, 2]))
     depth = np.minimum(depth, ends) + (0.0 if is_flush else inset)
     if is_flush:
+        # strips side by side have almost parallel faces
         facing = (a.ruled.frame.direction(left) * b.ruled.normal(along)).sum(axis=1)
         depth[np.abs(facing) < np.cos(SHALLOW_RAD)] = -np.inf
     else:
+        # near a slot of either strip, the depth is at most the distance from the slot
         inner = np.flatnonzero(depth > least)
         for body, x, y in ((a, s, across), (b, foot, local[:, 2])):
             depth[inner] = np.minimum(
@@ -366,6 +369,7 @@ def self_contact(strip: Strip) -> Places | None:
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
     middle = np.column_stack([x, y]) + (s - inner)[:, None] * unit_vectors(angle)
     pairs = np.transpose(near_pairs(middle, middle, max(thickness, long / count)))
+    # neighbouring samples are always close; between places of contact, the curve turns
     between = np.abs(np.diff(turn[pairs], axis=1)[:, 0])
     if strip.is_closed:
         between = np.minimum(between, turned[-1] - between)

@@ -65,6 +65,7 @@ class RuledStrip:
     @property
     def stations(self) -> FloatArray:
         """Arc lengths (n,) at which the search for crossings starts."""
+        # inner knots occur twice, and the first and last knot four times
         return self._spline.knots[2:-2:2]
 
     def half_width(self, s: FloatArray) -> FloatArray:
@@ -213,7 +214,7 @@ class Ruling:
     s_b: float
     offset: float  # distance from the first to the second curve along the first strip's ruling, mm
     sign: float  # +1 if the rulings of both strips have equal directions, -1 if they are opposite
-    reach: float
+    reach: float  # bound on |q|, mm, that is beyond the edges of both strips
 
     @property
     def nodes(self) -> FloatArray:
@@ -269,6 +270,7 @@ class _Heights:
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
         """Return the common points of both strips at arc lengths where their curves have equal heights."""
+        # gap = v z_a - u z_b
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n) @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
@@ -472,6 +474,8 @@ class Crossing:
     Attributes
     ----------
     strips : pair of RuledStrip
+    locus : Branch or Ruling
+        Intersection curve of both surfaces, of which the crossing is a part.
     start, end : float
         Values of the intersection curve's parameter q at both ends of the crossing.
     """

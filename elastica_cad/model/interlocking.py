@@ -67,11 +67,13 @@ def _bent_slot_width(
     across = left_of(along)
     ways = across[:, :1] * ruled.motion(rows[:, 0])[1] + across[:, 1:] * ruled.axis
     tangents = other.motion(mates[:, 0])[1]
+    # derivatives (n, 3, 3) of the distance between points of both strips by the unknowns x below
     slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
     inverse, rows, mates, across = (
         np.tile(matrix, (4, *[1] * (matrix.ndim - 1)))
         for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
+    # one block of n rows for each pair of a face of `ruled` and a face of `other`
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
     # the unknowns x are the distance across the slot, and the distances along and across strip `other`
     x = np.zeros((len(rows), 3))
@@ -90,6 +92,7 @@ def _bent_slot_width(
 
 
 def _points_at_height(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
+    # points in space (n, 3) at heights (n, 1), mm, above points (n, 2) of the flat pattern
     points, tangents = strip.in_plane(flat[:, 0])
     return strip.frame.point(points + height * left_of(tangents)) + flat[:, 1:] * strip.axis
 
@@ -232,6 +235,7 @@ _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDi
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
     """Return the strip with its slots. `drawn` has the first strip of each cut pattern, whose outline is shared."""
+    # slots with which the strip was last cut, and the result
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
@@ -356,6 +360,8 @@ class _Cutter:
         If both ends of the crossing are possible, the slot of the earlier strip opens towards `above` or, by
         default, along its rulings, unless both slots together are much shorter otherwise.
         """
+        # the earlier strip is cut from the start of the crossing and the later one from its end, or vice versa
+        # the cost of a way is the length of both slots beyond the crossing
         ways, costs = [], []
         for ends in ((0, 1), (1, 0)):
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
@@ -390,6 +396,7 @@ class _Cutter:
         touch = (distance.min(axis=1) < reach) & overlap
         spacing = float(np.diff(a.stations).max())
         for crossing in crossings:
+            # strips that cross at a small angle are close to each other over a long distance
             p = crossing.at(np.array([0.5]))
             room = reach / np.tan(max(float(p.angle[0]), TOUCHING_RAD)) + 2 * spacing
             touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
