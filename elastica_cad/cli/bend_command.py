@@ -199,6 +199,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     })  # fmt: skip
     bent = None if curve is None else read_request(curve, "bent")
     strip, rod = _initial_shape(curve, chosen) if bent is None else _bent_shape(bent)
+    # the written file has the strip before it was bent, from which later bends start
     designed = bent["strip"] if bent else strip and strip_record(strip)
     if strip is not None and rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
         strip = with_weight(strip, strip.sheet.gravity(chosen["down"] or (0.0, -1.0)))
@@ -294,6 +295,7 @@ def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Ro
 def _bent_shape(record: Any) -> tuple[Strip | None, Rod]:
     """Return the strip, or None, and the rod of an earlier `elastica bend` in their last shape."""
     strip, rod = read_bent(record)
+    # gravity can be added only to a strip that is still without weight
     heavy = () if strip is not None and rod.gravity is None else ("gravity", "down")
     typed = typed_options()
     # the first options determine the strip before it is bent
@@ -400,6 +402,7 @@ def _solve(spec: RodSpec) -> Rod | NearestRod:
 
 
 def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, Any]:
+    # the keywords `between` and `loads` of `bend`; a missing keyword leaves these elements as they are
     change: dict[str, Any] = {}
     elements = elements_of(chosen, ELEMENTS)
     if elements or chosen["release"]:
@@ -451,6 +454,7 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
     (start, end), moment, load = B * shape.support_forces, B * shape.moment, norm(B * shape.nodal_load)
     masses = [_force_report(mass, B, points_at(mass.s, shape.s, nodes)) for mass in shape.hung]
     hung = np.array([norm(mass["force"][0]) for mass in masses])
+    # the nodal load includes the hung masses; without them, it is the weight of the strip, N
     own = load.sum() - hung.sum()
     center = load @ nodes - sum(size * mass["points"][0] for size, mass in zip(hung, masses, strict=True))
     return {
@@ -566,7 +570,7 @@ def _force_columns(moved: Travel) -> dict[str, Any]:
     start, end = (
         np.where(np.abs(force) <= 1e-9 * size, 0.0, force) for force in (moved.start_force, moved.end_force)
     )
-    # without loads, rails, pins and ties, the start has the opposite force of the end
+    # without loads, rails, pins and ties, the start has the opposite force of the end, and no columns
     differs = bool((np.abs(start + end) > 1e-3 * size).any())
     units = {stage.unit for stage in moved.stages}
     columns = {

@@ -156,6 +156,7 @@ class _Sentences(click.Group):
                 ctx.exit(_refuse(problem))
 
 
+# a design file has both supports in one list
 SUPPORTS_IN_DESIGN = {
     "supports.start": "the first value of supports", "supports.end": "the second value of supports",
 }  # fmt: skip

@@ -64,6 +64,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         points = points - points[0] + part.pair.first.position[0]
         bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
+        # arc length of the pushed point, mm, and its displacement (2,) between the states, mm
         at, displacement = part.pushed
         start, size = lines[0].at(np.array([at]))[0][0], 0.3 * float(norm(displacement))
     else:
