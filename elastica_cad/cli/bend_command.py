@@ -337,6 +337,7 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
     if chosen["gravity"] or chosen["down"] is not None:
         values["gravity"] = list(chosen["down"] or (0.0, -1.0))
     table = with_settings(values, settings)
+    # the shape of a finished strip is fixed
     _refuse_curve_options(
         set(table) & {*SOLVED, "length", "samples", "between", "supports"} - {"ignore_limits"}
     )
@@ -358,6 +359,7 @@ def _designed(
     requested: RequestedCurve | None, chosen: Chosen, settings: dict[str, Any]
 ) -> tuple[Strip | None, Rod]:
     """Return the strip, or None without its size, and the rod: straight, the even bow, or for the curve."""
+    # with a material and a size of the section, forces are in newtons
     is_sized = chosen["sheet"] is not None and (settings or given_of(chosen, ("max_width", "rod")))
     down, gravity = chosen["down"] or (0.0, -1.0), None
     if chosen["gravity"] and not is_sized:
@@ -594,6 +596,7 @@ def _smallest_radius(shape: Rod) -> str:
 
 
 def _stability_row(states: Sequence[str], legs: Sequence[Leg], moved: Travel | None) -> Row:
+    # first step that is not stable
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         sideways = {side.word for side in moved.sideways} if moved is not None else set()

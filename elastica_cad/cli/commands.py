@@ -231,6 +231,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     from elastica_cad.design.records import is_settable, meant_paths, paths_of
     from elastica_cad.design.tables import OTHER_WORDS
 
+    # keys of a design file with this name
     of_designs = [path for path in paths_of(DesignKeys) if path.rpartition(".")[2] == name]
     for record in _records_of(context):
         keys = paths_of(record)
@@ -250,6 +251,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
             if not of_designs:
                 return f"`{command}` has no option {typed}. Did you mean {instead}? {explained}."
     near = near_names(word, words)
+    # option of `elastica strip` with this name or meaning, or ""
     strip_has = typed if any(typed in param.opts for param in _imported("strip").params) else ""
     if not strip_has and (new := OTHER_WORDS.get(name)) in paths_of(CommandKeys):
         strip_has = f"--set {new}"

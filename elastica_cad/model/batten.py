@@ -96,6 +96,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     bent = s.clip(0.0, strip.rod.length)
     section, sizes = strip.layout.section_at(bent)
     (layer,) = section.strains(np.abs(strip.rod.bend_at(bent)), sizes)
+    # tabs are not bent
     strain = np.where((layer.strain < 1e-12) | (s != bent), 0.0, layer.strain)
     safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)
     return {
@@ -394,6 +395,7 @@ def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int
     """
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
+    # the part of full size is at the thick end: at the end if the taper is positive, else at the start
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
     sizes = 1 + np.expm1(taper) * np.clip(share, 0.0, 1.0)
     sizes *= spec.stock.largest / sizes.max()

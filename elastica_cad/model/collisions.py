@@ -97,6 +97,7 @@ class Body:
             (_evenly_spaced(first, last, pitch), _evenly_spaced(-1.0, 1.0, 2 * pitch / widest))
             for pitch in (0.2, 2.0)
         )
+        # long edges, both ends, and faces; distances from the centre line are fractions of half the width
         grids = (along, [-1.0, 1.0]), ([first, last], ends), face
         s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
         return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0), *self.ruled.in_plane(s)
@@ -109,6 +110,7 @@ class Body:
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
+        # of each point, take the pair with the nearest station
         order = np.lexsort((norm(points[i] - line[k]), i))
         first = order[np.diff(i[order], prepend=-1) > 0]
         return i[first], stations[k[first]]
@@ -274,6 +276,7 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
     """
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
     widths = [member.strip.width for member in placed]
+    # strips edge to edge may overlap by EDGES_TOUCH_MM
     narrower = [
         replace(body.ruled, width=replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM))
         for body, width in zip(bodies, widths, strict=True)
@@ -334,6 +337,7 @@ def _crossing_without_slot(
 
 
 def _has_slot_at(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
+    # `first` and `second` (n,) are arc lengths, mm, of the overlap on both strips
     return any(
         abs(slot.at - np.clip(slot.at, stations.min(), stations.max())) < slot.width + strip_thickness(strip)
         for strip, stations in zip(strips, (first, second), strict=True)

@@ -120,6 +120,7 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
     for box_axes, box, extension, sees, origin in zip(
         axes, boxes, extensions, overlaps, origins, strict=True
     ):
+        # centres and half sizes (n, 3) of the extended boxes of all strips along the axes of this box
         center = (centers - origin) @ box_axes.T
         half = (np.abs(box_axes @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (
             extensions + extension
@@ -160,6 +161,7 @@ def _bracketed_zeros(
     """
     if not low.size:
         return low
+    # f and g are the values at `low` and `high`, and h is the value at the newest point `root`
     f, g = values
     root, h = high, g
     # a few steps usually suffice

@@ -331,6 +331,7 @@ class _Cutter:
             raise InputError(self._touch(members, float(points.first[points.angle.argmin(), 0])))
         slots = []
         for which, last in enumerate(self._cut_ends(members, crossing)):
+            # points of the slot from its inner end to the edge, at most 1.5 mm apart if possible
             p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
             # first this strip, then its mate
             way = 1 - 2 * which

@@ -248,6 +248,7 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
     first, second = plates
     if not (first.is_round and second.is_round):
         return
+    # rows are the plates, and columns the radii of opening and rim
     radii = np.array([_radii(plate) for plate in plates])
     room = _border_with_spacers(first) + GRID_RADIUS_MM - options_of(first).border
     inner, outer = float(radii[:, 0].min()) - room, float(radii[:, 1].max()) + room
@@ -423,6 +424,7 @@ def _spread(
     towards = unit_vectors(DIRECTIONS).T
 
     def reach(places: FloatArray) -> FloatArray:
+        # distances (n, k), mm, to which spacers extend from the middle in each of `DIRECTIONS`
         half = width / 2 if count == 2 else 0.0
         across = half * np.abs(np.cos(places[:, 2:] - DIRECTIONS))
         return np.asarray((places[:, :2] - middle) @ towards + across, dtype=float)
