@@ -275,6 +275,7 @@ def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Ro
     requested, finished = None, None
     if curve is not None:
         record = read_request(curve)
+        # the file is the report of a finished strip
         if record is not None:
             _refuse_curve_options({name for name in ("nearest", "smooth", "rod", "even") if chosen[name]})
         (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
@@ -560,6 +561,7 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     where = f"the point {at:.0f} mm along the strip, {direction}"
     if stage.unit != "N":
         return Row("Movement", f"{strip} moves by at most {far}: {where}")
+    # the last stage adds the loads, and the sag is the movement since its start
     sag, at, direction = farthest_move(stage.leg.rod(0.0), last)
     sags = (
         f"{strip} sags by at most {MmLength(sag):.2g} under the load: the point {at:.0f} mm along the strip"

@@ -336,8 +336,10 @@ def _sheets_row(sheets: Sequence[PlainData], question: str) -> Row:
     """
     if question:
         return warning_row(f"none at this size. {question}", "Sheets")
-    # the sheets are sorted by scale, so the last one that fits is closest to its limit
+    # `sheets` are sorted by `scale`, to which the curve must at least be enlarged for the sheet, so the last sheet
+    # that fits is closest to its limit
     tightest_first = [Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1]
+    # the tightest sheet of each kind
     of_kind = {sheet.kind: sheet for sheet in tightest_first[::-1]}
     each_kind_first = sorted(tightest_first, key=lambda sheet: of_kind[sheet.kind] is not sheet)
     fitting = [sheet.name for sheet in each_kind_first]

@@ -167,6 +167,7 @@ def _spelled(path: str) -> str:
     if path == "rod.curve":
         return "the file NAME.json of `elastica strip`"
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
+    # `elastica bend` has --hold-start, other commands have --start
     held = f"--hold{typed[1:]}" if path.startswith("supports.") else typed
     for option in (held, typed):
         if any(option in parameter.opts for parameter in context.command.params):

@@ -118,6 +118,7 @@ def model(
     strips, files = count(1), count(1)
 
     def written(_: str, total: int) -> None:
+        # called after each file, to announce the next
         if (number := next(files)) < total:
             say_step(f"writing {in_writing_order(kit.files)[number].name}", number + 1, total)
 

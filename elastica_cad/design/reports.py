@@ -280,6 +280,7 @@ def _creep(strip: Strip) -> PlainData | None:
     except NotConvergedError as problem:
         return {"factor": strip.creep, "problem": str(problem)}
     assert crept is not None
+    # the result of the creep study: sag, mm, and the fractions of the end force and of the bend that are kept
     return {
         "factor": crept.factor, "basis": "exact" if crept.exact else "effective modulus", "sag": crept.sag,
         "force_share": crept.force_share, "end_forces": crept.end_forces * strip.bending_stiffness,

@@ -386,6 +386,7 @@ class Table:
         slips = Slips()
         for key in self.data:
             if key not in keys:
+                # a meant key of another table has a dotted path
                 meant = OTHER_WORDS.get(key.lower(), "")
                 near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys)
                 hint = (

@@ -429,6 +429,7 @@ def _joined(
             i = after[0]
             unused.discard(i)
             s_a, s_b = pieces[i]
+            # a piece runs from its low to its high end
             step = 1 if ends[i][1] == key else -1
             chain.insert(0, (s_a[::step], s_b[::step]))
             key = ends[i][0 if step == 1 else 1]

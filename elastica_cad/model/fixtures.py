@@ -270,6 +270,7 @@ class EndFixture(EqualByValue):
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
         index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
+        # the strip as cut, bent by its loads, and the stiffness of the tab divided by that of this rod
         loaded = strip.as_made.loaded
         lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
         return replace(self, lean=(lean.shift, lean.turn))
@@ -284,6 +285,7 @@ class EndFixture(EqualByValue):
                 "pocket. Raise the floor, or leave out the floor.",
                 tab=self.tab.name, height=Length(self.size[2]), extra=Length(self.lowest), severity="warning",
             ))  # fmt: skip
+        # depth, mm, to which the straight tab in its designed position overlaps a wall
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
         if depth > 0:
             shift, turn = self.lean

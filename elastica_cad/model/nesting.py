@@ -214,6 +214,7 @@ def _nested_group(
     # number of sheets and used area of the last sheet, whether rows are along the height, and the places
     best: tuple[tuple[float, float], bool, list[list[_Place]]] | None = None
     for upright in (False, True):
+        # every box has a margin on one side, so the other edge of the sheet needs one more
         usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
         boxes = [_boxes(i, piece, margin, usable, upright) for i, piece in enumerate(pieces)]
         if not all(boxes):
@@ -234,7 +235,8 @@ def _nested_group(
 def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
     """Return the boxes of a piece with margin, narrowest first, turned as the grain permits.
 
-    With `upright`, rows run along the short side of the sheet.
+    `usable` are the sizes of the sheet along and across the rows, mm, without one margin. With `upright`, rows run
+    along the height of the sheet.
     """
     x, y = (side + margin for side in piece.size)
     boxes = []

@@ -348,6 +348,7 @@ class BasePlate:
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
         slots = [dense_points(slot.corners) for slot in self.slots]
         holes = [dense_points(hole) for hole in self._hole_points]
+        # the empty array is for a single slot without other cuts
         labels = [
             self._slot_label(slot, np.concatenate([*slots[:k], *slots[k + 1 :], *holes, np.zeros((0, 2))]))
             for k, slot in enumerate(self.slots)

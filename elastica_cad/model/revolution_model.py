@@ -567,7 +567,7 @@ def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
         return True
 
     start, end = meridian.ring
-    # 60 sizes in all
+    # 60 sizes in all; then every whole mm below the first size that works
     tried = np.unique(np.ceil(np.geomspace(end, start, 60)[1:-1]).astype(int))
     tried = tried[(tried > end) & (tried < start)]
     first = next((i for i, ring in enumerate(tried.tolist()) if works(ring)), None)

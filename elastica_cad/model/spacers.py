@@ -283,6 +283,7 @@ def _free_places(
         [_enclosed(plate.outline.points(PITCH_MM / 10), tried) for plate in plates]
     )
     tried = tried[inside & ~np.logical_or.reduce([_enclosed(loop, tried) for loop in closed])]
+    # leave out places that are too close to a cut for any tongue
     near, _ = near_pairs(tried[:, :2], cuts, bridge + thickness / 2)
     tried = np.delete(tried, near, axis=0)
     # a tongue has half the width of its spacer and keeps a bridge from all cuts

@@ -280,6 +280,7 @@ def _plate_sentences(
                 "Put spacers {gap:.3g} high between {second} and {first}. These spacers are not in the kit.",
                 second=second.name, gap=Length(gap), first=first.name,
             )  # fmt: skip
+    # slots without a tab are for tongues: of spacers in stacked plates, of ribs in rails
     rails = [
         plate.name
         for plate in _plates(singles)

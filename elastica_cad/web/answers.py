@@ -352,7 +352,7 @@ def _curve_breaks_strip(spec: StripSpec) -> bool:
 
 
 def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
-    """Return the `StripSpec` and its tables, with positions of ties and loads scaled with the curve.
+    """Return the `StripSpec`, with positions of ties and loads scaled with the curve, and the scaled lists by key.
 
     The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """
@@ -632,6 +632,7 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
     shape, verdict, rows = _stations(bent), travel.verdicts[k], [*strain_rows(bent)]
     if verdict.rating != "stable":
         rows.append(stability_row(bent, verdict))
+    # places and leaps are (stage, part of the stage), and these travels have a single stage
     if any(event.t <= travel.places[k][1] for _, event in travel.leaps):
         rows.append(warning_row(note("snaps on the way; this is the other shape"), "Stability"))
     return {
