@@ -486,6 +486,8 @@ def _rows(
     moved: Travel | None,
     change: dict[str, Any],
 ) -> Iterator[Row]:
+    # `legs` are the stages, `shapes` the rods at all steps, `states` their stability, `moved` the travel of a
+    # strip with a size, and `change` is the result of `_bend_keywords`
     last = shapes[-1]
     ratio = f"The largest stiffness of the strip is {rod.ratio:.4g} times the least."
     yield Row("Size", f"{rod.length:.1f} mm long", [ratio])

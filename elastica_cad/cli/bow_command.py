@@ -195,6 +195,7 @@ def material_and_section(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
                 sheet=sheet.name,
             )
         return sheet, fields | {"max_width": widest, "min_width": least}
+    # without a material, only forces per GPa are reported, so any density and strain limit will do
     sheet = (
         Sheet("a rod", rod[1], MPA_PER_GPA, density=1000.0, max_strain=0.4)
         if chosen["sheet"] is None

@@ -133,6 +133,7 @@ class FinishedStrip:
                 refuse_below_limits(spec.section, scale * rod.stiffness, rod.s)
         elif spec is not designed:
             # the changed strip has the same relative stiffness, so only the scale changes
+            # widths that replace a section give the scale; other changes multiply the scale in the report
             size = _unloaded_stiffness(spec, rod)
             scale = (
                 size if designed.section is not None else scale * size / _unloaded_stiffness(designed, rod)

@@ -112,6 +112,7 @@ class StripResult:
             files.append(text_file(f"{name}-bench.csv", bench_csv(strip), "bench csv"))
             files += self._drawn("side", side, request, pdf=pictures or looked_at)
             printed = replace(side, name=name) if strip.layout.stack else printed
+        # by suffix: whether the file is written, and the function that writes it
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
             "pdf": (request.paper, partial(_write_drawing, printed, "pdf", request)),

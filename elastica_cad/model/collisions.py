@@ -197,6 +197,7 @@ def _deepest_sample(
         return None
     foot, there, along = b.nearest(local[:, :2], stations)
     gap = local[:, :2] - there
+    # depths below the ends, and below the faces and long edges, of `b`
     ends = np.minimum(foot, b.ruled.length - foot) - np.abs(dot(gap, along))
     depth = np.minimum(thick - norm(gap), b.ruled.half_width(foot) - np.abs(local[:, 2]))
     depth = np.minimum(depth, ends) + (0.0 if is_flush else inset)

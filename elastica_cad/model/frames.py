@@ -270,8 +270,13 @@ def _rib(
     behind: float,
     step: float,
 ) -> Rib:
-    """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails."""
+    """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails.
+
+    `seats` are its places on both inner rails, and `across` is its normal. Outer rails are `behind` mm behind the
+    inner rails; it is 0 without outer rails.
+    """
     frame = Frame(seats[0].origin, seats[0].x_axis, np.cross(across, seats[0].x_axis))
+    # half the width of the rib behind a rail, and depths of its side at the rail, its middle and its far side, mm
     rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
     half, full = under + depth / 2, under + depth
 

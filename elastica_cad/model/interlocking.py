@@ -423,6 +423,7 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
     if not joints:
         return (note("no strips cross, so no slots were cut"),)
     shallow: dict[Members, list[Joint]] = {}
+    # edges from which the slots of each later strip enter
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)

@@ -426,12 +426,14 @@ def _moved_slot(
     The slot is as wide as the bent tab with its clearance, or narrower if both walls are `pressed` (2,).
     """
     _, low, high = room_of_tab(bent, plate.frame, plate.sheet.thickness)
+    # least width of the slot for the bent tab, and this width with the clearance, mm
     tight = float(high[1] - low[1])
     loose = tight + options_of(plate).room_beside(tight)
     left, across = (-(plate.frame.axes @ one.frame.z_axis)[:2] for one in (tab, bent))
     walls = np.array([slot.corners[:2], slot.corners[3:1:-1]])
     # the offsets are measured across the bent tab, but the walls move in the plate
     walls = walls + (offsets / float(across @ left))[:, None, None] * left
+    # direction from wall 0 to wall 1
     out = (slot.corners[3] - slot.corners[0]) / slot.size[1]
     # a single pressed wall keeps its moved position, and the slot becomes wider on the other side
     middle = walls.mean(axis=0)
@@ -511,6 +513,7 @@ def end_plates(
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
     ends, tabs_at = ring_options.ends, _tabs_at_ends(placed)
     outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
+    # the plates are named by the heights of vertical tabs; the height 0 for other tabs gives the names of ends
     upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
     first, last = (
         float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) if upright else 0.0 for end in ENDS

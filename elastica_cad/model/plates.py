@@ -505,6 +505,7 @@ def base_plate(
     if not tabs:
         raise InputError("{name} holds no end of any strip: change its 'strips' or 'ends'", name=name)
     heights = ground.local([[tab.frame.origin, tab.tip] for tab in tabs])[..., 2]
+    # tabs that start above the plate, or hardly below its upper face, and reach into it
     standing = [
         tab
         for tab, (start, tip) in zip(tabs, heights.tolist(), strict=True)

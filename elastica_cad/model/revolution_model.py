@@ -136,11 +136,13 @@ def _width_within(
     curve: PlaneCurve, bounds: Sequence[tuple[float, FloatArray]], gap: float, name: str
 ) -> Profile:
     """Return twice the smaller of the bounds of `_bisector_bound`, with a kink where the bounds cross."""
+    # the width is continuous also at corners of the curve
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         (a, b), (c, d) = bounds
         if np.hypot(*(b - d)) > SLOPE_TOLERANCE:
             breaks += [(r.s, 0) for r in line_crossings(curve, a - c, b - d) if r.kind == "crossing"]
+    # of several breaks at a place, the least continuity is the last, and is kept
     inside = {s: c for s, c in sorted(breaks, reverse=True) if END_MM < s < curve.length - END_MM}
 
     def half(s: FloatArray) -> FloatArray:

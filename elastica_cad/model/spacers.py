@@ -436,6 +436,7 @@ def _spread(
         before, chosen = chosen, chosen.copy()
         for k in range(count):
             others = np.delete(chosen, k, axis=0)
+            # for each free place: distance from the nearest other spacer, and extent together with the others
             least = np.linalg.norm(free[:, None, :2] - others[:, :2], axis=-1).min(axis=1)
             extent = np.maximum(reaches, reach(others).max(axis=0)).min(axis=1)
             chosen[k] = free[np.where(least >= apart, extent + least, -np.inf).argmax()]

@@ -77,6 +77,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     polygons = [_polygon_of(loop, step) for loop in loops]
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
     ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
+    # lines: sides of the polygons that are not parallel to y, with their left and right ends (m, 2)
     order = ends[..., 0].argsort(axis=1)
     left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
     slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
