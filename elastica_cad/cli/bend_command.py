@@ -572,6 +572,7 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
 
 
 def _force_columns(moved: Travel) -> dict[str, Any]:
+    # columns (n,) of the printed table; each name ends with its unit
     size = moved.support_force[:, None]
     start, end = (
         np.where(np.abs(force) <= 1e-9 * size, 0.0, force) for force in (moved.start_force, moved.end_force)
@@ -621,6 +622,7 @@ def _stability_row(states: Sequence[str], legs: Sequence[Leg], moved: Travel | N
 def _write_files(
     name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, designed: Any, chosen: Chosen
 ) -> tuple[Path, ...]:
+    # `designed` is the record of the strip before it was bent
     bent = {"strip": designed, "rod": rod_record(shapes[-1])}
     files = [
         File(f"{name}-bent.csv", partial(_write_shapes, shapes)),
@@ -631,6 +633,7 @@ def _write_files(
         from elastica_cad.plot.strip_pictures import rod as draw_rod
         from elastica_cad.plot.strip_pictures import travel as draw_travel
 
+        # a straight strip has no drawn shape to compare with
         design = None if rod.shape is None else rod
         files.append(
             File(f"{name}-bent.png", lambda path: save_figure(draw_rod(shapes[-1], design=design), path))

@@ -388,6 +388,7 @@ class _Cutter:
         a, b = (self.ruled[i] for i in members)
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return
+        # closer middle surfaces touch; points (n, 3) are in the frame of `a`, whose z axis is along the rulings
         reach = sum(strip_thickness(self.placed[i].strip) for i in members) / 2
         nodes, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
         distance = norm(nodes[:, None, :2] - other[None, :, :2])

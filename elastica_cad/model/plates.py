@@ -263,6 +263,7 @@ class BasePlate:
         if holes is not None and holes.is_in(self.name) and (holes.bridge or holes.bulb):
             return (self._bridge_note(options, holes),) if holes.bridge else ()
         tabs, bridge = self.tab_loops, limits_or_default(options.shop).bridge_for(self.sheet)
+        # without room for an opening even at the least border, no opening is expected
         if not (self.is_round and tabs) or 2 * around(tabs, self._middle, bridge)[0] < LEAST_OPENING_MM:
             return ()
         return (
