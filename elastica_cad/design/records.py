@@ -486,6 +486,7 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
             continue
         yield key.name, key
         for inner in tables_in(written(key.kind)):
+            # the key `kind`, which selects the record, is not a field of the record
             if word := word_of(inner):
                 yield (
                     f"{key.name}.kind",

@@ -137,6 +137,7 @@ def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     t = _subdivided(panels, -(-400 // (panels.size - 1)))
     s, points, velocity = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
     ahead, thirds = unit(velocity), np.diff(s)[:, None] / 3
+    # inner control points (n, 2, 2) of the cubic piece between each two samples
     handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
     coefficients = np.concatenate([points[:1], handles.reshape(-1, 2), points[-1:]])
     return SplineFunction(np.pad(np.repeat(s, 2), 2, mode="edge"), coefficients, 3)
@@ -234,12 +235,14 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     """Return the crossings of strips with parallel rulings, which are lines along the rulings."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
+    # map (3, 3) from the plane of the curve of b to the plane of the curve of a, for points (x, y, 1)
     m = np.eye(3)
     m[:2] = np.column_stack([moved.x_axis[:2], moved.y_axis[:2], moved.origin[:2]])
     first, second = Spline(a.curve), Spline(b.curve.transformed(m))
     crossings = segment_crossings(first, second)
     offset = float(moved.origin[2])
     reach = a.width.extremes[1] + b.width.extremes[1] + abs(offset)
+    # parameters (n,) of the splines of a and b, from 0 to 1
     x, y = np.array(crossings, dtype=float).reshape(-1, 2).T
     s_a = a.curve.arc_length(first.parameter(x)) * a.length / a.curve.length
     s_b = b.curve.arc_length(Spline(b.curve).parameter(y)) * b.length / b.curve.length
@@ -521,6 +524,7 @@ class Crossing:
         """Parameter x at half the length of the crossing."""
         x, along, _ = self.course
         k = int(along.searchsorted(along[-1] / 2)) - 1
+        # change of x per mm of the crossing
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         half = along[-1] / 2 - along[k]
         middle = float(x[k]) + pace * half
@@ -592,6 +596,7 @@ def _ranges_inside_strips(
     edges = _edge_crossings(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
     cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
     inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
+    # 1 where a range inside both strips starts, -1 where it ends
     steps = np.diff(np.pad(inside.astype(int), 1))
     return [*zip(cuts[steps > 0].tolist(), cuts[steps < 0].tolist(), strict=True)]
 
