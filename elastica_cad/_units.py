@@ -61,9 +61,12 @@ def look_up_unit(unit: str) -> float:
     return MILLIMETRES[unit]
 
 
+# groups: whole number, numerator, denominator
 _FRACTION = re.compile(r"\s*(?:(\d+)[ -]+)?(\d+)/([1-9]\d*)\s*")
+# groups: sign, feet, inches, eighths, and the sign of a further sixteenth
 _OFFSET = re.compile(r"([-+]?)(\d+)-(\d+)-([0-7])\s*([-+]?)")
 _INCHES = r"(?:\d+[ -]+)?\d+/[1-9]\d*|\d+\.?\d*|\.\d+"
+# groups: sign, feet, inches, and the unit of the inches
 _MARKED = re.compile(
     rf"""([-+]?)\s*(?=.*['"a-z])(?:(\d+\.?\d*)\s*(?:'|ft\.?|feet|foot)\s*-?\s*(?=\d|$))?
     (?:({_INCHES})\s*("|in\.?|inch|inches)?)?""",

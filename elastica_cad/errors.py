@@ -605,6 +605,7 @@ class ElasticaError(Exception):
         changes: Sequence[Change] = (),
         **values: Any,
     ) -> None:
+        # a message with its data, such as that of another error, keeps template, values, location and changes
         if isinstance(text, Refusal):
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}

@@ -252,6 +252,7 @@ def _stock(chosen: Chosen) -> ThicknessLaw | RoundLaw:
         )
     largest = rod if strip is None else strip[1]
     least = 0.25 * largest if chosen["least"] is None else chosen["least"]
+    # the thinnest place of a stack is one ply
     if chosen["leaves"] is not None:
         least = max(least, largest / chosen["leaves"])
     if strip is not None:

@@ -199,6 +199,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     })  # fmt: skip
     bent = None if curve is None else read_request(curve, "bent")
     strip, rod = _initial_shape(curve, chosen) if bent is None else _bent_shape(bent)
+    # the written file has the strip before it was bent, from which later bends start
     designed = bent["strip"] if bent else strip and strip_record(strip)
     if strip is not None and rod.gravity is None and (chosen["gravity"] or elements_of(chosen, LOADS)):
         strip = with_weight(strip, strip.sheet.gravity(chosen["down"] or (0.0, -1.0)))
@@ -274,6 +275,7 @@ def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Ro
     requested, finished = None, None
     if curve is not None:
         record = read_request(curve)
+        # the file is the report of a finished strip
         if record is not None:
             _refuse_curve_options({name for name in ("nearest", "smooth", "rod", "even") if chosen[name]})
         (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
@@ -294,6 +296,7 @@ def _initial_shape(curve: Path | None, chosen: Chosen) -> tuple[Strip | None, Ro
 def _bent_shape(record: Any) -> tuple[Strip | None, Rod]:
     """Return the strip, or None, and the rod of an earlier `elastica bend` in their last shape."""
     strip, rod = read_bent(record)
+    # gravity can be added only to a strip that is still without weight
     heavy = () if strip is not None and rod.gravity is None else ("gravity", "down")
     typed = typed_options()
     # the first options determine the strip before it is bent
@@ -335,6 +338,7 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
     if chosen["gravity"] or chosen["down"] is not None:
         values["gravity"] = list(chosen["down"] or (0.0, -1.0))
     table = with_settings(values, settings)
+    # the shape of a finished strip is fixed
     _refuse_curve_options(
         set(table) & {*SOLVED, "length", "samples", "between", "supports"} - {"ignore_limits"}
     )
@@ -356,6 +360,7 @@ def _designed(
     requested: RequestedCurve | None, chosen: Chosen, settings: dict[str, Any]
 ) -> tuple[Strip | None, Rod]:
     """Return the strip, or None without its size, and the rod: straight, the even bow, or for the curve."""
+    # with a material and a size of the section, forces are in newtons
     is_sized = chosen["sheet"] is not None and (settings or given_of(chosen, ("max_width", "rod")))
     down, gravity = chosen["down"] or (0.0, -1.0), None
     if chosen["gravity"] and not is_sized:
@@ -400,6 +405,7 @@ def _solve(spec: RodSpec) -> Rod | NearestRod:
 
 
 def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, Any]:
+    # the keywords `between` and `loads` of `bend`; a missing keyword leaves these elements as they are
     change: dict[str, Any] = {}
     elements = elements_of(chosen, ELEMENTS)
     if elements or chosen["release"]:
@@ -451,6 +457,7 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
     (start, end), moment, load = B * shape.support_forces, B * shape.moment, norm(B * shape.nodal_load)
     masses = [_force_report(mass, B, points_at(mass.s, shape.s, nodes)) for mass in shape.hung]
     hung = np.array([norm(mass["force"][0]) for mass in masses])
+    # the nodal load includes the hung masses; without them, it is the weight of the strip, N
     own = load.sum() - hung.sum()
     center = load @ nodes - sum(size * mass["points"][0] for size, mass in zip(hung, masses, strict=True))
     return {
@@ -479,6 +486,8 @@ def _rows(
     moved: Travel | None,
     change: dict[str, Any],
 ) -> Iterator[Row]:
+    # `legs` are the stages, `shapes` the rods at all steps, `states` their stability, `moved` the travel of a
+    # strip with a size, and `change` is the result of `_bend_keywords`
     last = shapes[-1]
     ratio = f"The largest stiffness of the strip is {rod.ratio:.4g} times the least."
     yield Row("Size", f"{rod.length:.1f} mm long", [ratio])
@@ -554,6 +563,7 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     where = f"the point {at:.0f} mm along the strip, {direction}"
     if stage.unit != "N":
         return Row("Movement", f"{strip} moves by at most {far}: {where}")
+    # the last stage adds the loads, and the sag is the movement since its start
     sag, at, direction = farthest_move(stage.leg.rod(0.0), last)
     sags = (
         f"{strip} sags by at most {MmLength(sag):.2g} under the load: the point {at:.0f} mm along the strip"
@@ -562,11 +572,12 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
 
 
 def _force_columns(moved: Travel) -> dict[str, Any]:
+    # columns (n,) of the printed table; each name ends with its unit
     size = moved.support_force[:, None]
     start, end = (
         np.where(np.abs(force) <= 1e-9 * size, 0.0, force) for force in (moved.start_force, moved.end_force)
     )
-    # without loads, rails, pins and ties, the start has the opposite force of the end
+    # without loads, rails, pins and ties, the start has the opposite force of the end, and no columns
     differs = bool((np.abs(start + end) > 1e-3 * size).any())
     units = {stage.unit for stage in moved.stages}
     columns = {
@@ -590,6 +601,7 @@ def _smallest_radius(shape: Rod) -> str:
 
 
 def _stability_row(states: Sequence[str], legs: Sequence[Leg], moved: Travel | None) -> Row:
+    # first step that is not stable
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         sideways = {side.word for side in moved.sideways} if moved is not None else set()
@@ -610,6 +622,7 @@ def _stability_row(states: Sequence[str], legs: Sequence[Leg], moved: Travel | N
 def _write_files(
     name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, designed: Any, chosen: Chosen
 ) -> tuple[Path, ...]:
+    # `designed` is the record of the strip before it was bent
     bent = {"strip": designed, "rod": rod_record(shapes[-1])}
     files = [
         File(f"{name}-bent.csv", partial(_write_shapes, shapes)),
@@ -620,6 +633,7 @@ def _write_files(
         from elastica_cad.plot.strip_pictures import rod as draw_rod
         from elastica_cad.plot.strip_pictures import travel as draw_travel
 
+        # a straight strip has no drawn shape to compare with
         design = None if rod.shape is None else rod
         files.append(
             File(f"{name}-bent.png", lambda path: save_figure(draw_rod(shapes[-1], design=design), path))

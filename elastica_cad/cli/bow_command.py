@@ -142,6 +142,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     near = fields | room_for_hole(chosen["hole"], sheet, **fields)
     suggest_later(lambda _: StripSpec(drawn, sheet, supports=ENDS, **near), typed_change, ["nearest"])
     result = bow(drawn, sheet, label=requested.label, hole=chosen["hole"], **fields)
+    # the option may give fractions or lengths of the cord; the other number of each pair is 0
     fractions = [0.0, *sorted({part + mm / result.cord for part, mm in chosen["shorter"]} or SHORTER)]
     shorter = result.shortened(fractions)
     in_newtons = chosen["sheet"] is not None
@@ -194,6 +195,7 @@ def material_and_section(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
                 sheet=sheet.name,
             )
         return sheet, fields | {"max_width": widest, "min_width": least}
+    # without a material, only forces per GPa are reported, so any density and strain limit will do
     sheet = (
         Sheet("a rod", rod[1], MPA_PER_GPA, density=1000.0, max_strain=0.4)
         if chosen["sheet"] is None
@@ -233,6 +235,7 @@ def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
 def _loaded_report(result: Bow, loaded: Travel) -> dict[str, Any]:
     design = result.strip.rod
     distance, at, direction = farthest_move(design, loaded.rods[0])
+    # the cord pulls with the part of the end force along the line between the ends
     return {
         "moved_mm": Length(distance), "moved_at_mm": Length(at), "moved_to": direction,
         "pull_N": Force(-loaded.end_force[0] @ design.chord / result.cord),

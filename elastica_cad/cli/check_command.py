@@ -114,6 +114,7 @@ def check(
             )
         verdict = checks[0].verdict
         _draw(checks[0].rod if between and verdict.realizable else verdict, picture, force=force)
+    # following curves with equal rows are printed once
     for rows, alike in groupby(
         ((check, *check.judged()) for check in checks),
         key=lambda judged: _rows(judged[1]),
@@ -150,7 +151,10 @@ def check(
 
 @dataclass(frozen=True, eq=False)
 class _Check:
-    """A curve to check, with its options. `smooth` is the largest movement by smoothing, mm."""
+    """A curve to check, with its options. `smooth` is the largest movement by smoothing, mm.
+
+    `alone` is True if the command checks only this curve; an error of the curve is then an error of the command.
+    """
 
     requested: RequestedCurve
     supports: Supports
@@ -242,6 +246,7 @@ class _Check:
         ),)  # fmt: skip
 
     def request(self, problem: ElasticaError) -> "StripSpec | None":
+        # request of a usual strip for which changes are tested, or None if no change is known or options settle it
         settled = self.natural_curvature or self.smooth is not None
         if settled or not problem.refusal.changes:
             return None
@@ -331,7 +336,10 @@ def _sheets_row(sheets: Sequence[PlainData], question: str) -> Row:
     """
     if question:
         return warning_row(f"none at this size. {question}", "Sheets")
+    # `sheets` are sorted by `scale`, to which the curve must at least be enlarged for the sheet, so the last sheet
+    # that fits is closest to its limit
     tightest_first = [Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1]
+    # the tightest sheet of each kind
     of_kind = {sheet.kind: sheet for sheet in tightest_first[::-1]}
     each_kind_first = sorted(tightest_first, key=lambda sheet: of_kind[sheet.kind] is not sheet)
     fitting = [sheet.name for sheet in each_kind_first]
@@ -370,6 +378,7 @@ def _report_on_elements(rod: Rod) -> PlainData:
     for action in rod.between:
         if isinstance(action.element, Rail):
             angle = rod.curve.at(action.s).angle
+            # a rail on the right pushes the strip to the left
             presses_left = action.force[0] @ (-np.sin(angle[0]), np.cos(angle[0])) > 0
             sides.append({"at": action.s[0], "side": "right" if presses_left else "left"})
     report = {"stability": {"word": verdict.word, "margin": verdict.margin}, "bars": sides}

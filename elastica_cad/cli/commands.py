@@ -156,6 +156,7 @@ class _Sentences(click.Group):
                 ctx.exit(_refuse(problem))
 
 
+# a design file has both supports in one list
 SUPPORTS_IN_DESIGN = {
     "supports.start": "the first value of supports", "supports.end": "the second value of supports",
 }  # fmt: skip
@@ -166,6 +167,7 @@ def _spelled(path: str) -> str:
     if path == "rod.curve":
         return "the file NAME.json of `elastica strip`"
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
+    # `elastica bend` has --hold-start, other commands have --start
     held = f"--hold{typed[1:]}" if path.startswith("supports.") else typed
     for option in (held, typed):
         if any(option in parameter.opts for parameter in context.command.params):
@@ -230,6 +232,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     from elastica_cad.design.records import is_settable, meant_paths, paths_of
     from elastica_cad.design.tables import OTHER_WORDS
 
+    # keys of a design file with this name
     of_designs = [path for path in paths_of(DesignKeys) if path.rpartition(".")[2] == name]
     for record in _records_of(context):
         keys = paths_of(record)
@@ -249,6 +252,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
             if not of_designs:
                 return f"`{command}` has no option {typed}. Did you mean {instead}? {explained}."
     near = near_names(word, words)
+    # option of `elastica strip` with this name or meaning, or ""
     strip_has = typed if any(typed in param.opts for param in _imported("strip").params) else ""
     if not strip_has and (new := OTHER_WORDS.get(name)) in paths_of(CommandKeys):
         strip_has = f"--set {new}"

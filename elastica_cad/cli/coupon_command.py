@@ -109,6 +109,7 @@ _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "wit
 
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
     readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
+    # smallest and largest elasto-gravity length with their standard errors, mm, and their (overhang, droop)
     (low, low_error, short), (high, high_error, long) = readings[0], readings[-1]
     # more than three standard deviations of the difference, and than a tenth of the smaller reading
     if high - low > max(3.0 * hypot(low_error, high_error), 0.1 * low):

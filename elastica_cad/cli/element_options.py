@@ -12,6 +12,7 @@ from elastica_cad.declared import REQUIRED, Field, declared
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
 
+# class and help of each element, by the name of its option
 RECORDS: dict[str, tuple[type, str]] = {
     "rail": (Rail, "Rail across the strip, which slides over it."),
     "pin": (
@@ -66,6 +67,7 @@ class Mass(click.ParamType):  # type: ignore[type-arg]  # no generic class befor
 
 
 def _fields(name: str) -> list[Field]:
+    # the option of an element takes its required fields, in their order
     return [field for field in declared(RECORDS[name][0]) if field.default is REQUIRED]
 
 

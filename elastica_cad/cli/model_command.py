@@ -118,6 +118,7 @@ def model(
     strips, files = count(1), count(1)
 
     def written(_: str, total: int) -> None:
+        # called after each file, to announce the next
         if (number := next(files)) < total:
             say_step(f"writing {in_writing_order(kit.files)[number].name}", number + 1, total)
 
@@ -187,6 +188,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
         factors = Listed(f"{entry.label} to {100 * entry.scale:.4g} %" for entry in scaled)
         say_rows(Row("Scale", f"curves resized to the lengths in the design: {factors} of the drawn size"))
+    # parts by the text and the severity of their row
     sizes: dict[tuple[str, Severity], list[EqualStrips]] = {}
     for part in model.parts:
         shape = held.get(model.single_name_of(part.members[0]))

@@ -155,6 +155,7 @@ def _curves(chosen: Chosen) -> tuple[RequestedCurve, RequestedCurve]:
     """Return the two curves: of one file with two curves, of two files, or as chosen."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
+        # both curves may be drawn as one curve with a corner
         curves = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
         if len(curves) != 2:
             raise InputError(

@@ -170,6 +170,7 @@ def requested_curves(
     drawing, chosen = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
     selected = chosen if every else (drawing.one(number, layer, how),)
+    # names are unique among the selected curves for output files, and in the drawing for saved designs
     in_files = _names_by_number(selected)
     in_drawing = _names_by_number(drawing.curves) if len(drawing) > 1 else {}
     pieces = [piece for whole in selected for piece in (whole.split_at_corners() if split else (whole,))]
@@ -190,6 +191,7 @@ def requested_curves(
 
 
 def _number_of(piece: DrawnCurve) -> list[str]:
+    # the number of a piece of a split curve, as the last word of its name
     return [str(piece.piece)] if piece.pieces > 1 else []
 
 

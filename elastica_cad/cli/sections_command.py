@@ -196,6 +196,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
 
 
 def _option_that_splits(message: str, chosen: Chosen) -> str:
+    # the option for a split that the message suggests, in brackets, or ""
     changes = message.all_changes if isinstance(message, Refusal) else ()
     if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"

@@ -123,6 +123,7 @@ def _toml_or_text(text: str) -> Any:
     try:
         return parse_toml(f"value = {text}")["value"]
     except (tomllib.TOMLDecodeError, RecursionError):
+        # a text that begins as a list, table or string is a mistake and not a word
         if text[:1] in "[{\"'" or "\n" in text:
             raise InputError(
                 "{text} cannot be read. Write the value as in a design file, such as [1, 2] or [{{ at = 40, "

@@ -73,6 +73,7 @@ MOST_NAMES = 3
 
 
 def _files(chosen: Chosen, table: Mapping[str, Any]) -> StripFiles:
+    # the tables `cut` and `files` of the options
     reader, below = Reader(), Table(table, "", {})
     cutting: Cutting = reader.record(Cutting, below.table("cut"))
     more: FileKeys = reader.record(FileKeys, below.table("files"))
@@ -127,7 +128,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         if design.resolve() in (output, *output.parents):
             raise InputError("{path} is a folder: give the name of a file in it", path=design)
         check_folder(design.parent, [design.name], force=chosen["force"])
+    # `refused` counts curves without a strip, and `wrong` also strips with too large a strain
     reports, solved, wrong, refused, worst = [], list[RequestedCurve](), 0, 0, NOT_REALIZABLE
+    # labels of strips and their warnings, by the template of the warning
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
     brief = len(curves) > 1 and not voice().verbose

@@ -54,6 +54,7 @@ CALLED = {
 }  # fmt: skip
 """Names of options that differ from the last part of their key."""
 
+# keys whose option can only be switched on
 FLAGS = ("keep.length", "ignore_limits")
 
 
@@ -236,6 +237,7 @@ def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter
     """Return the options by their group in help. Options that every command has are in the last group."""
     of = dict[str, str]()
     for group in GROUPS:
+        # click stores the options of a decorated function in its `__click_params__`
         probe: Any = join_options(*_options_of(group))(lambda: None)
         of |= {str(option.name): group for option in probe.__click_params__}
     groups: dict[str, list[click.Parameter]] = {group: [] for group in (*GROUPS, "all else")}

@@ -80,6 +80,7 @@ def _without_values(words: Sequence[str], added: Collection[str], without: Colle
 
     All options in `without`, and all keys of `--set` in its tables, are left out too.
     """
+    # number of values of each option that is left out
     replaced = dict[str, int]()
     for option in click.get_current_context().command.params:
         if isinstance(option, click.Option):

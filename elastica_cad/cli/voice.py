@@ -34,6 +34,14 @@ class Voice:
         Current step of the command.
     as_json, quiet, verbose : bool
         Print one JSON record, only problems, or all steps and notes.
+    record : dict, or list of dict
+        Answer for `--json`; a list has one record for each curve.
+    notes, files : list of str
+        Printed warnings, and written files.
+    read : dict
+        Report on the file that was read.
+    since : float
+        Start of the command, s on the clock of `time.perf_counter`.
     """
 
     command: str
@@ -259,6 +267,7 @@ def _wait_for_change(read: dict[Path, FileMark]) -> None:
     while True:
         time.sleep(0.2)
         now = {path: mark_file(path) for path in read}
+        # number of looks without a change
         still = still + 1 if now == before else 0
         gone = any(was and not mark for mark, was in zip(now.values(), read.values(), strict=True))
         # a file may be missing for a moment, because programs replace files when they save

@@ -122,9 +122,11 @@ class Design:
         """
         strips: dict[Any, Strip] = {}
         placed: list[Placed] = []
+        # errors of strips on sections, which are left out, and errors of other strips
         failed: list[ElasticaError] = []
         refused: list[ElasticaError] = []
         for entry in self.entries:
+            # strips that differ only by label, position, slots and engraving are made once
             key = _comparison_key(entry)
             if key not in strips:
                 try:
@@ -163,6 +165,7 @@ class Design:
         return interlock_compensated(model, which, **self.interlock)
 
 
+# method of `Model` for each pattern
 _PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
 
 
@@ -211,6 +214,7 @@ def design_of(
     revolution: RevolutionTable | None = None
     notes: tuple[str, ...] = ()
     strips = top.tables("strips")
+    # tables that make parts, with their records, by their names in messages
     makers: dict[str, tuple[Record, Table]] = {
         f"strips[{i}]": (StripKeys, table) for i, table in enumerate(strips, start=1)
     }
@@ -303,7 +307,10 @@ def name_of_files(top: Table, path: Path) -> str:
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets of a design by name, and sheet files in the folder of the design by file name."""
+    """Sheets of a design by name, and sheet files in the folder of the design by file name.
+
+    A sheet file counts as contained, and is read when its name is looked up. `folder` is the folder of the design.
+    """
 
     folder = Path()
 
@@ -311,13 +318,14 @@ class _Sheets(dict[str, Sheet]):
         return super().__contains__(name) or ".toml" in str(name)
 
     def __missing__(self, name: str) -> Sheet:
+        # a name may also be FILE.toml:SHEET
         if ".toml" in name:
             require_below(file_in(self.folder, f"{name.partition('.toml')[0]}.toml"))
         return Sheet.named(name, folder=self.folder)
 
 
 def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
-    """Return the sheets that a design defines itself, by name."""
+    """Return the sheets that a design defines itself, by name. The dict also reads sheet files; see `_Sheets`."""
     sheets = _Sheets()
     sheets.folder = path.parent
     if top.has("sheets_file"):
@@ -428,6 +436,7 @@ def _comparison_key(entry: StripEntry) -> Any:
     digits = np.round(np.concatenate(numbers) / curve.length, 11) + 0.0
     placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
     values = [getattr(spec, option.name) for option in fields(spec) if option.name not in placed]
+    # slots change the widths only if the widths compensate them
     return digits.tobytes(), value_key([*values, spec.compensate and spec.slots])
 
 

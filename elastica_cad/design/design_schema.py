@@ -43,6 +43,7 @@ def tables() -> dict[str, Keys]:
 
 
 def _keys(record: Record) -> Keys:
+    # the key `kind` of a family has the word that selects this record, with the first sentence of its docstring
     word = word_of(record)
     kinds: Keys = (
         {} if word is None else {"kind": ({"enum": [word]}, str(record.__doc__).partition(".")[0] + ".")}
@@ -73,6 +74,7 @@ def fragment(kind: Kind) -> Fragment:
 
 
 def _table(keys: Keys) -> Fragment:
+    # draft 4 ignores a description beside $ref, so the reference is inside allOf
     return {
         "type": "object",
         "additionalProperties": False,

@@ -117,6 +117,7 @@ class CurveOfFile(_Curve):
         path = file_in(reader.folder, file or "")
         assert reader.read_curves is not None
         curves = reader.read_curves(path, unit=self.unit)
+        # a `CurveList` knows names and layers; another reader returns a plain list
         if isinstance(curves, CurveList):
             number = None if self.number is None else str(self.number)
             return curves.file.one(name or number, layer, "number = 1 .. {count}, id or layer").curve
@@ -249,6 +250,7 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
             "{place} is missing. Add a file, formulae x and y with the range t, an ellipse or a spline.",
             place=table.place(key),
         )
+    # a name of a file is short for a table with the key `file`
     named = isinstance(value, str)
     curve = Table({"file": value}, table.place(key), table.scope) if named else table.table(key)
     kinds = [kind for kind in CURVES if kind in curve.data]

@@ -263,6 +263,7 @@ class HolderSpec:
                 strips=" or ".join(self.strips),
                 labels=labels,
             )
+        # only printed blocks have no sheet
         if self.sheet is None:
             return end_fixtures(placed, **self.options), ""
         if self.kind == "stand":

@@ -62,6 +62,7 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
             if "parts" in report
             else {"": report["measuring"]}
         )
+        # a strip with rails, pins, ties or point forces has no quantities to measure
         has_elements = [*records.values()] == [None] and bool(report.get("between"))
         measured = {name: measuring_of(record) for name, record in records.items() if record is not None}
         if not measured:
@@ -93,6 +94,7 @@ def measuring_of(record: Mapping[str, Any]) -> Measuring:
         None if record.get("tips") is None else _number(record["tips"]),
         record.get("can_snap") is True,
     )
+    # `read_measuring` reports a ValueError as a wrong file
     if not (
         causes.keys() <= MEANINGS.keys()
         and all(causes.values())
@@ -104,6 +106,7 @@ def measuring_of(record: Mapping[str, Any]) -> Measuring:
 
 
 def _measures(readings: Mapping[str, Any]) -> dict[str, float]:
+    # all lengths (mm) and angles (degrees) by the names of the quantities
     return {name: _number(readings[name]) for name in (*LENGTHS, *ANGLES)}
 
 

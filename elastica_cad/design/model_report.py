@@ -123,6 +123,7 @@ def report_model(
 
 
 def _deviations(strip: Strip, entry: StripEntry) -> dict[str, Any]:
+    # distance, mm, of the strip from its drawn curve and, for a section, of this curve from the section
     deviation = largest_deviation(entry.curve, strip.rod.curve)
     if not entry.section:
         return {"deviation": deviation}

@@ -248,11 +248,14 @@ def share_keys(
     makers : mapping
         Records and tables of the parts that the design makes, by their names in messages.
     """
+    # formulae of shared keys are checked with the number i = 1 of the first strip
+    # `ignored` has keys that only some tables use, by the names of the other tables
     scope, unused, ignored = {**top.scope, "i": 1.0}, list(others), dict[tuple[str, ...], list[str]]()
     for _, table in makers.values():
         table.defaults = top  # a key at the top may replace others
         scope |= Table(table.data, table.where, scope).within(table.data.get("let", {}))
     idle = {name: idle_keys(record, table) for name, (record, table) in makers.items()}
+    # names of the tables that use each key
     users = dict[str, list[str]]()
     # strain limits need the thickness of a sheet, and here any sheet serves
     checked, reader = Table(top.data, top.where, scope), replace(reader, sheet=Sheet.named("card-200gsm"))
@@ -263,6 +266,7 @@ def share_keys(
         known = [name for name, (record, _) in makers.items() if _uses(record, entry)]
         # a key without effect on all of them is passed on, and refused with the reason
         users[key] = [name for name in known if key not in idle[name]] or known
+        # a key that every table overrides is never read, so its value is checked here
         if users[key] and all(key in makers[name][1].data for name in users[key]):
             require_bounds(entry, reader.value(entry.kind, checked, key), top.place(key))
         rest = tuple(name for name in makers if name not in users[key])
@@ -312,6 +316,7 @@ def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, ne
     `number` distinguishes several tables of the kind.
     """
     options = reader.given(HOLDERS[kind], table)
+    # the sheet already has this thickness
     options.pop("thickness", None)
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
     laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}

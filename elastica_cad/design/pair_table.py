@@ -47,6 +47,7 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     reader = Reader(own_sheets(top, path), path.parent, cache(read_curves))
     others = [key for key in top.data if key not in (*SHARED, *PAIR_FILE)]
     share_keys(top, {"a part with two states": (FlexureSpec, pair)}, reader, others)
+    # states without names are called by the ids of their curves, if these differ
     curves = {state: pair.raw(state) for state in STATES}
     ids = {state: curve["id"] for state, curve in curves.items() if isinstance(curve, dict) and "id" in curve}
     if len(set(ids.values())) == len(ids):

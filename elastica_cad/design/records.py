@@ -74,6 +74,7 @@ def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits
 
 
 def _cutting(kerf: float | str = KERF, **options: Any) -> Cutting:
+    # the only word for the kerf is "sheet", which `Cutting` stores as None
     named = {cutting_keys()[key].name: value for key, value in options.items()}
     return Cutting(kerf=None if isinstance(kerf, str) else kerf, **named)
 
@@ -139,6 +140,7 @@ def idle_keys(record: Record, table: Table) -> dict[str, Refusal]:
     idle = {}
     for entry in fields_of(record):
         needs = entry.option.needs
+        # a function of the keys returns the missing setting, or "" if the key has an effect
         needed = needs if isinstance(needs, str) else needs(table.data)
         if needed and not table.has(needed):
             idle[entry.name] = note(
@@ -208,6 +210,7 @@ class Reader:
         values = self.given(record, table)
         make = MAKERS.get(record, record)
         parameters = signature(make).parameters if callable(make) else {}
+        # a record that needs a sheet, but has no such key, gets the sheet of the strip
         if "sheet" in parameters and "sheet" not in {entry.name for entry in declared(record)}:
             values["sheet"] = self.sheet
         with table.naming():
@@ -249,6 +252,7 @@ class Reader:
                 return self.record(kind.record, table.table(key))
             case "list":
                 return self._row(kind, table, key)
+        # the kind is "either"
         return self.value(_best_kind(kind.of, table.raw(key)), table, key)
 
     def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
@@ -275,18 +279,20 @@ class Reader:
                 given=quoted(rows),
                 size=kind.size,
             )
+        # each item is read as a key of its own, so that errors name its number
         numbered = Table(
             {f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, table.where, table.scope
         )
         return tuple(self.value(inner, numbered, name) for name in numbered.data)
 
 
+# words in messages for the size of points and for the number of points in a list
 _AXES: Mapping[int | None, str] = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
 
 
 def _best_kind(kinds: tuple[Kind, ...], value: object) -> Kind:
-    """Return the kind that fits a value best.
+    """Return the kind that fits a value best: for a table, the record that knows most of its keys.
 
     If no kind fits, the caller reads the value as the returned kind, and the user sees the error of that kind.
     """
@@ -307,6 +313,7 @@ def _fits(kind: Kind, value: object) -> bool:
         case bool():
             return kind.name == "flag"
         case str():
+            # the word "sheet" is a choice of the kerf, not a formula
             return (
                 kind.name == "text" or value in kind.choices or (kind.name == "number" and value != "sheet")
             )
@@ -320,6 +327,7 @@ def _fits(kind: Kind, value: object) -> bool:
 
 
 def _key_score(kind: Kind, table: Mapping[str, Any]) -> int:
+    # number of keys of the table that the kind knows, minus the number of others
     known = {
         name
         for alternative in written(kind).alternatives
@@ -478,6 +486,7 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
             continue
         yield key.name, key
         for inner in tables_in(written(key.kind)):
+            # the key `kind`, which selects the record, is not a field of the record
             if word := word_of(inner):
                 yield (
                     f"{key.name}.kind",
@@ -494,6 +503,7 @@ def tables_in(kind: Kind) -> list[Record]:
 
 
 def _words(kind: Kind) -> tuple[str, ...]:
+    # values of the key `kind` that select a record of this kind
     return tuple(
         word
         for alternative in written(kind).alternatives

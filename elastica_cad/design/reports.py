@@ -56,6 +56,7 @@ def pre_bend_message(strip: Strip) -> str:
         return ""
     even = np.ptp(rest) == 0
     at = int(np.argmax(np.abs(rod.curvature if even else rest)))
+    # True if the inner face is the same where the first bend (or, if it is even, the final bend) is largest
     same = rest[at] * rod.curvature[at] > 0
     ways = (
         (
@@ -197,6 +198,7 @@ def strip_quantities(strip: Strip) -> PlainData:
 def _without_loads(strip: Strip) -> PlainData | None:
     if strip.unloaded is None:
         return None
+    # strain of the layer that is closest to its limit, with and without the loads
     loaded, unloaded = (
         max(strains, key=lambda layer: layer.largest / layer.limit).largest
         for strains in (strip.strains, strip.unloaded_strains)
@@ -278,6 +280,7 @@ def _creep(strip: Strip) -> PlainData | None:
     except NotConvergedError as problem:
         return {"factor": strip.creep, "problem": str(problem)}
     assert crept is not None
+    # the result of the creep study: sag, mm, and the fractions of the end force and of the bend that are kept
     return {
         "factor": crept.factor, "basis": "exact" if crept.exact else "effective modulus", "sag": crept.sag,
         "force_share": crept.force_share, "end_forces": crept.end_forces * strip.bending_stiffness,
@@ -295,6 +298,7 @@ def _smoothing_report(smoothing: Smoothing) -> PlainData:
 
 
 def _nearest_report(near: NearestRod) -> PlainData:
+    # `binding` lists the limits that keep the rod away from the drawn curve
     return {
         "wish": curve_record(near.target),
         "status": near.status.name.lower(),
@@ -375,6 +379,7 @@ def report_measuring(strip: Strip) -> PlainData | None:
 
 
 def _joint(strip: Strip) -> PlainData | None:
+    # where and how the ends of a closed strip are glued to each other, or None for an open strip
     if not strip.is_closed:
         return None
     held = strip.reactions()

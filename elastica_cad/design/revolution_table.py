@@ -198,6 +198,7 @@ class RevolutionTable:
             )
         along = (end - start) / np.hypot(*(end - start)) * (1.0 if end[1] >= start[1] else -1.0)
         across = -left_of(along)
+        # the profile is on the positive side of the axis
         if across @ (self.curve.control_points.mean(axis=0) - start) < 0:
             across = -across
         return self.curve.transformed([[*across, -across @ start], [*along, 0.0], [0.0, 0.0, 1.0]])
@@ -207,12 +208,14 @@ class RevolutionTable:
         try:
             return self._model(name)
         except InputError as problem:
+            # errors about these fields already state the change that helps
             fixed = problem.refusal.where.get("field") in ("style.width", "gravity", "loads")
             if fixed or self.rings is None or self.meridian.at_pole or self._breaks_without_tabs:
                 raise
             tested = [*self._without_ends(), *self._larger_openings(), *self._fewer_strips()]
             if not tested:
                 raise
+            # `tested` has pairs of a tested change and the instruction that worked, or ""
             edits = Either(edit for _, edit in tested if edit)
             text = (
                 "{problem} A tested change makes strips and rings possible: {edits}."
@@ -227,6 +230,7 @@ class RevolutionTable:
 
     @property
     def _breaks_without_tabs(self) -> bool:
+        # other rings or tabs cannot help strips whose strain is too large without them
         strips = replace(self, rings=None, gap=None, spacers=None, holes=None, ends=(Tab(0.0), Tab(0.0)))
         try:
             strips._model("")
@@ -263,6 +267,7 @@ class RevolutionTable:
         if enough is None:
             yield tested, ""
             return
+        # move a single end if that is enough, and bisect for the least whole number of mm
         ends = next((one for one in ((0,), (-1,)) if works(one, enough)), (0, -1))
         too_small = 0
         while enough - too_small > 1:

@@ -132,6 +132,7 @@ def _section_keys(spec: SectionSpec) -> dict[str, Any]:
 def _table_of(record: Any) -> dict[str, Any]:
     """Return the table of planes, or of the places where sections are split."""
     values = {key: getattr(record, key) for key in WRITTEN_KEYS[type(record)]}
+    # listed planes replace a number of planes
     if values.get("angles", values.get("offsets")) is not None:
         del values["count"]
     return {

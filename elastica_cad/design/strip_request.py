@@ -33,6 +33,7 @@ SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_p
 
 def _records_in(kind: Any, found: dict[str, Any]) -> dict[str, Any]:
     """Add the record classes in values of the type `kind` to `found`, by name."""
+    # a family such as Style or Section is read as one of its kinds, made by classes or functions
     makers = [maker for family, kinds in BY_KIND.items() if family is kind for maker in kinds.values()]
     made = [get_type_hints(maker).get("return", maker) for maker in makers]
     for inner in (*get_args(kind), *made):
@@ -112,7 +113,8 @@ class FinishedStrip:
         rod_spec = spec.rod_spec
         # the stiffness of plies is piecewise constant, unlike the stiffness of other rods
         laid = isinstance(rod_spec.section, LaidLeaves)
-        # weight and size depend on the section, or on the layers of a laminate with weight
+        # the rod is solved for the changed request only if its section matters: weight and size depend on the
+        # section, or on the layers of a laminate with weight
         solved = spec if spec.section is not None or rod_spec.layers is not None else designed
         section = None if laid else solved.rod_spec.section
         if isinstance(section, ThicknessLaw | RoundLaw):
@@ -120,6 +122,7 @@ class FinishedStrip:
             section = replace(section, least=0.5 * section.least)
         rod = solve_rod(replace(solved.rod_spec, section=section))
         assert isinstance(rod, Rod)  # the request has no limits, so the result is not a NearestRod
+        # `scale` is the least bending stiffness, N mm2, and `most` the largest stiffness divided by it
         scale, most = self.bending_stiffness, rod.profile.extremes[1]
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=STIFFNESS_TOLERANCE):
             rod = rod.with_stiffness(self.stiffness)
@@ -129,6 +132,8 @@ class FinishedStrip:
             if spec.section is not None and not laid:
                 refuse_below_limits(spec.section, scale * rod.stiffness, rod.s)
         elif spec is not designed:
+            # the changed strip has the same relative stiffness, so only the scale changes
+            # widths that replace a section give the scale; other changes multiply the scale in the report
             size = _unloaded_stiffness(spec, rod)
             scale = (
                 size if designed.section is not None else scale * size / _unloaded_stiffness(designed, rod)
@@ -150,6 +155,7 @@ class FinishedStrip:
 
 
 def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:
+    # least bending stiffness, N mm2, of the strip that `spec` requests for the stiffness of the rod, without loads
     unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
@@ -189,6 +195,8 @@ def read_bent(record: Any) -> tuple[Strip | None, Rod]:
         strip, rod = _decoded(record["strip"]), _decoded(record["rod"])
         if strip is None:
             return None, rod
+        # `rod_record` has no law; the law follows from the designed strip, because curling changes the stiffness
+        # relative to the designed shape
         bent = strip.bent_as(replace(rod, law=strip.rod_to_bend.following().law))
         return bent, bent.rod
 
@@ -258,6 +266,7 @@ def _decoded(value: Any) -> Any:
         if value.get("record") in NODAL:
             values = {
                 key: np.array(item)
+                # numbers or points; an empty tuple stays a tuple
                 if isinstance(item, tuple) and isinstance((*item, None)[0], float | tuple)
                 else item
                 for key, item in values.items()

@@ -160,6 +160,7 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
     sheet: Sheet = reader.value(known["sheet"].kind, table, "sheet")
     reader = replace(reader, sheet=sheet)
     values = {name: reader.value(entry.kind, table, name) for name, entry in known.items() if table.has(name)}
+    # one of both keys allows the curve to change, which needs both records
     if "limits" in values or "keep" in values:
         values = {"limits": Limits(), "keep": Keep(), **values}
     return values
@@ -193,6 +194,7 @@ def _with_length(table: Table, curve: PlaneCurve) -> PlaneCurve:
 
 def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[str, Any]) -> StripSpec:
     gravity = values.get("gravity")
+    # the value true means downwards: -z in space, or -y of a drawing without a plane
     if isinstance(gravity, bool):
         values = {**values, "gravity": (DOWN if frame is not None else True) if gravity else None}
     with table.naming():
@@ -227,6 +229,7 @@ def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dic
     }
 
 
+# keys of the plane of the drawing in space, which are fields of `Frame`
 PLANE = ("origin", "x_axis", "y_axis")
 
 

@@ -148,7 +148,7 @@ class Formula:
 
 @lru_cache(maxsize=256)
 def _parsed(text: str) -> tuple[ast.expr, tuple[ast.Name, ...]]:
-    """Cache the syntax tree and the names of a formula, because many strips have the same formulae."""
+    """Return the syntax tree and all names in a formula; cached, because many strips have the same formulae."""
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 
@@ -318,6 +318,7 @@ class Slips:
     """Errors of a file, collected to be reported together."""
 
     def __init__(self) -> None:
+        # sentences by the same sentence without its position
         self._texts: dict[str, str] = {}
 
     def add(self, sentence: str, where: str = "") -> None:
@@ -385,6 +386,7 @@ class Table:
         slips = Slips()
         for key in self.data:
             if key not in keys:
+                # a meant key of another table has a dotted path
                 meant = OTHER_WORDS.get(key.lower(), "")
                 near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys)
                 hint = (
@@ -411,6 +413,7 @@ class Table:
         except InputError as error:
             where = self.where if key is None else self.place(key)
             why = error.refusal
+            # an error of an inner key already begins with the name of this table
             if where and not why.startswith(self.where or where):
                 why = Refusal(
                     why.kind, "{place}: {why}", {"place": where, "why": why}, why.where, why.changes
@@ -470,6 +473,7 @@ class Table:
         )
 
     def _of_kind(self, kind: type | UnionType, key: str, message: str, default: Any = None) -> Any:
+        # `message` is the template of the error, with {key} and {given}
         value = self.raw(key, default)
         if not isinstance(value, kind):
             raise InputError(message, key=self.place(key), given=quoted(value))

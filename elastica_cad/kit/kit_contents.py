@@ -127,6 +127,7 @@ def kit_contents(
         *spec.extras(model),
     )
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
+    # plates of holders with equal kind, sheet and nesting share sheets: names of the holders and their pieces
     shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
     for request in spec.holders:
         made, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
@@ -190,6 +191,7 @@ def _with_each(model: Model, change: Callable[[Strip], Strip]) -> Model:
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
+    # the division into pieces of each strip that is longer than its sheet, by the name of the part
     splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts
@@ -199,6 +201,7 @@ def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
+    # holders, and the templates on paper, name the ends 1 and 2 of a strip
     return bool(spec.holders or model.plates or spec.pages)
 
 
@@ -214,6 +217,7 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
+    # joined strips are replaced by their pieces
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     return tuple(
         replace(part, count=piece.count) for piece in strips for part in parts.get(piece.name, (piece,))

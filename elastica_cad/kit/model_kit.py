@@ -315,6 +315,7 @@ def _stems_of_nests(contents: KitContents) -> Iterator[tuple[str, NestedSheet]]:
 
 def _rows_in_files(contents: KitContents, *, parts: bool) -> Iterator[CutListRow]:
     """Yield the rows of the cut list with the files that are written."""
+    # name of the file of the nested sheet that contains each piece
     sheets = {piece: stem for stem, nest in _stems_of_nests(contents) for piece in nest.pieces}
     no_file = not parts or contents.spec.cutting.service
     for (stem, piece), row in zip(_stems_of_parts(contents), contents.cut_list.rows, strict=True):

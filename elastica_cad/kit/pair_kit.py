@@ -96,6 +96,7 @@ class MadePair:
         sheet, thin = self.part.sheet, self.part.scale
         if self.part.printed or self.cutting.options(sheet)["kerf"]:
             return
+        # the force is proportional to the cube of the thickness
         kerf = sheet.kerf or LASER_KERF
         remaining = max(thin - kerf, 0.0)
         yield note(

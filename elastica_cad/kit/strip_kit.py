@@ -92,8 +92,10 @@ class StripResult:
         The description of a file is its kind, such as "dxf", or "backing dxf" for the backing of a laminate.
         """
         strip, name, cutting, files = self.strip, self.name, request.cutting, list[File]()
+        # the files for a service have cuts only, so drawings to look at are PDF files
         pictures, looked_at = request.pictures and can_draw(), cutting.service and can_draw()
         for number, (layer, pattern) in enumerate(zip(strip.layers, self.patterns, strict=True)):
+            # for each separate part of the layer, a DXF file and an SVG file
             for place, file in enumerate(cutting_files(pattern, pattern.name, cutting, layer.sheet)):
                 words = (layer.name, str(1 + place // 2) if place > 1 else "", ("dxf", "svg")[place % 2])
                 files.append(replace(file, description=" ".join(filter(None, words))))
@@ -110,6 +112,7 @@ class StripResult:
             files.append(text_file(f"{name}-bench.csv", bench_csv(strip), "bench csv"))
             files += self._drawn("side", side, request, pdf=pictures or looked_at)
             printed = replace(side, name=name) if strip.layout.stack else printed
+        # by suffix: whether the file is written, and the function that writes it
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
             "pdf": (request.paper, partial(_write_drawing, printed, "pdf", request)),

@@ -96,6 +96,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     bent = s.clip(0.0, strip.rod.length)
     section, sizes = strip.layout.section_at(bent)
     (layer,) = section.strains(np.abs(strip.rod.bend_at(bent)), sizes)
+    # tabs are not bent
     strain = np.where((layer.strain < 1e-12) | (s != bent), 0.0, layer.strain)
     safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)
     return {
@@ -249,6 +250,7 @@ class BattenSpec:
         return Batten(self, _with_straight_ends(_rod_between_hinges(self, taper, chord, 2401).curve))
 
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
+        # `side` has the sign of the required taper; `most` is the taper at the limit
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_for_taper(most, chord)
         # round towards the middle of the chord, so that the suggested position is possible
@@ -270,6 +272,7 @@ class BattenSpec:
     @property
     def _untapered_chord(self) -> float:
         """Ratio of chord to length if the untapered batten bends to half a sine wave."""
+        # 2.4 is about (pi / 2)^2
         return 1 - 2.4 * self.camber**2
 
     def _place_for_taper(self, taper: float, chord: float) -> float:
@@ -392,6 +395,7 @@ def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int
     """
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
+    # the part of full size is at the thick end: at the end if the taper is positive, else at the start
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
     sizes = 1 + np.expm1(taper) * np.clip(share, 0.0, 1.0)
     sizes *= spec.stock.largest / sizes.max()

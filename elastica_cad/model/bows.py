@@ -91,6 +91,7 @@ class Bow:
         rod = self.strip.rod
         if not self.hole:
             return self.strip
+        # a tie without force adds the holes
         cord = Tie(0.0, rod.length, hole=self.hole)
         holes = ElementForce(cord, np.array([0.0, rod.length]), np.zeros((2, 2)))
         return replace(self.strip, rod=replace(rod, between=(holes,)))

@@ -97,6 +97,7 @@ class Body:
             (_evenly_spaced(first, last, pitch), _evenly_spaced(-1.0, 1.0, 2 * pitch / widest))
             for pitch in (0.2, 2.0)
         )
+        # long edges, both ends, and faces; distances from the centre line are fractions of half the width
         grids = (along, [-1.0, 1.0]), ([first, last], ends), face
         s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
         return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0), *self.ruled.in_plane(s)
@@ -109,6 +110,7 @@ class Body:
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
+        # of each point, take the pair with the nearest station
         order = np.lexsort((norm(points[i] - line[k]), i))
         first = order[np.diff(i[order], prepend=-1) > 0]
         return i[first], stations[k[first]]
@@ -180,6 +182,7 @@ def _deepest_sample(
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
+    # distance, mm, of a sample from the middle surface of `b` at which the strips touch
     thick = (a.thickness + b.thickness) / 2 if is_flush else b.thickness / 2
     s, across, place, tangent = a.samples(inset)
     left = left_of(tangent)
@@ -194,13 +197,16 @@ def _deepest_sample(
         return None
     foot, there, along = b.nearest(local[:, :2], stations)
     gap = local[:, :2] - there
+    # depths below the ends, and below the faces and long edges, of `b`
     ends = np.minimum(foot, b.ruled.length - foot) - np.abs(dot(gap, along))
     depth = np.minimum(thick - norm(gap), b.ruled.half_width(foot) - np.abs(local[:, 2]))
     depth = np.minimum(depth, ends) + (0.0 if is_flush else inset)
     if is_flush:
+        # strips side by side have almost parallel faces
         facing = (a.ruled.frame.direction(left) * b.ruled.normal(along)).sum(axis=1)
         depth[np.abs(facing) < np.cos(SHALLOW_RAD)] = -np.inf
     else:
+        # near a slot of either strip, the depth is at most the distance from the slot
         inner = np.flatnonzero(depth > least)
         for body, x, y in ((a, s, across), (b, foot, local[:, 2])):
             depth[inner] = np.minimum(
@@ -271,6 +277,7 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
     """
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
     widths = [member.strip.width for member in placed]
+    # strips edge to edge may overlap by EDGES_TOUCH_MM
     narrower = [
         replace(body.ruled, width=replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM))
         for body, width in zip(bodies, widths, strict=True)
@@ -331,6 +338,7 @@ def _crossing_without_slot(
 
 
 def _has_slot_at(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
+    # `first` and `second` (n,) are arc lengths, mm, of the overlap on both strips
     return any(
         abs(slot.at - np.clip(slot.at, stations.min(), stations.max())) < slot.width + strip_thickness(strip)
         for strip, stations in zip(strips, (first, second), strict=True)
@@ -366,6 +374,7 @@ def self_contact(strip: Strip) -> Places | None:
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
     middle = np.column_stack([x, y]) + (s - inner)[:, None] * unit_vectors(angle)
     pairs = np.transpose(near_pairs(middle, middle, max(thickness, long / count)))
+    # neighbouring samples are always close; between places of contact, the curve turns
     between = np.abs(np.diff(turn[pairs], axis=1)[:, 0])
     if strip.is_closed:
         between = np.minimum(between, turned[-1] - between)

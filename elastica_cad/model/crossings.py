@@ -65,6 +65,7 @@ class RuledStrip:
     @property
     def stations(self) -> FloatArray:
         """Arc lengths (n,) at which the search for crossings starts."""
+        # inner knots occur twice, and the first and last knot four times
         return self._spline.knots[2:-2:2]
 
     def half_width(self, s: FloatArray) -> FloatArray:
@@ -119,6 +120,7 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
     for box_axes, box, extension, sees, origin in zip(
         axes, boxes, extensions, overlaps, origins, strict=True
     ):
+        # centres and half sizes (n, 3) of the extended boxes of all strips along the axes of this box
         center = (centers - origin) @ box_axes.T
         half = (np.abs(box_axes @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (
             extensions + extension
@@ -135,6 +137,7 @@ def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     t = _subdivided(panels, -(-400 // (panels.size - 1)))
     s, points, velocity = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
     ahead, thirds = unit(velocity), np.diff(s)[:, None] / 3
+    # inner control points (n, 2, 2) of the cubic piece between each two samples
     handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
     coefficients = np.concatenate([points[:1], handles.reshape(-1, 2), points[-1:]])
     return SplineFunction(np.pad(np.repeat(s, 2), 2, mode="edge"), coefficients, 3)
@@ -159,6 +162,7 @@ def _bracketed_zeros(
     """
     if not low.size:
         return low
+    # f and g are the values at `low` and `high`, and h is the value at the newest point `root`
     f, g = values
     root, h = high, g
     # a few steps usually suffice
@@ -213,7 +217,7 @@ class Ruling:
     s_b: float
     offset: float  # distance from the first to the second curve along the first strip's ruling, mm
     sign: float  # +1 if the rulings of both strips have equal directions, -1 if they are opposite
-    reach: float
+    reach: float  # bound on |q|, mm, that is beyond the edges of both strips
 
     @property
     def nodes(self) -> FloatArray:
@@ -231,12 +235,14 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     """Return the crossings of strips with parallel rulings, which are lines along the rulings."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
+    # map (3, 3) from the plane of the curve of b to the plane of the curve of a, for points (x, y, 1)
     m = np.eye(3)
     m[:2] = np.column_stack([moved.x_axis[:2], moved.y_axis[:2], moved.origin[:2]])
     first, second = Spline(a.curve), Spline(b.curve.transformed(m))
     crossings = segment_crossings(first, second)
     offset = float(moved.origin[2])
     reach = a.width.extremes[1] + b.width.extremes[1] + abs(offset)
+    # parameters (n,) of the splines of a and b, from 0 to 1
     x, y = np.array(crossings, dtype=float).reshape(-1, 2).T
     s_a = a.curve.arc_length(first.parameter(x)) * a.length / a.curve.length
     s_b = b.curve.arc_length(Spline(b.curve).parameter(y)) * b.length / b.curve.length
@@ -269,6 +275,7 @@ class _Heights:
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
         """Return the common points of both strips at arc lengths where their curves have equal heights."""
+        # gap = v z_a - u z_b
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n) @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
@@ -425,6 +432,7 @@ def _joined(
             i = after[0]
             unused.discard(i)
             s_a, s_b = pieces[i]
+            # a piece runs from its low to its high end
             step = 1 if ends[i][1] == key else -1
             chain.insert(0, (s_a[::step], s_b[::step]))
             key = ends[i][0 if step == 1 else 1]
@@ -472,6 +480,8 @@ class Crossing:
     Attributes
     ----------
     strips : pair of RuledStrip
+    locus : Branch or Ruling
+        Intersection curve of both surfaces, of which the crossing is a part.
     start, end : float
         Values of the intersection curve's parameter q at both ends of the crossing.
     """
@@ -514,6 +524,7 @@ class Crossing:
         """Parameter x at half the length of the crossing."""
         x, along, _ = self.course
         k = int(along.searchsorted(along[-1] / 2)) - 1
+        # change of x per mm of the crossing
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         half = along[-1] / 2 - along[k]
         middle = float(x[k]) + pace * half
@@ -585,6 +596,7 @@ def _ranges_inside_strips(
     edges = _edge_crossings(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
     cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
     inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
+    # 1 where a range inside both strips starts, -1 where it ends
     steps = np.diff(np.pad(inside.astype(int), 1))
     return [*zip(cuts[steps > 0].tolist(), cuts[steps < 0].tolist(), strict=True)]
 

@@ -160,6 +160,7 @@ class CutList:
         return replace(self, rows=cut, printed=printed)
 
     def __str__(self) -> str:
+        # the totals of the list have the names of the fields of a row
         sums = [
             TABLE_COLUMNS[name].format(self) if name in ("count", "cut mm", "g") else ""
             for name in TABLE_COLUMNS

@@ -226,6 +226,7 @@ class EndFixture(EqualByValue):
             )
         if self.engrave is None:
             object.__setattr__(self, "engrave", self.tab.name)
+        # sine of the angle between the floor and the width of the strip
         lean = abs(float(self.ground.z_axis @ self.tab.frame.y_axis))
         if lean > LEVEL:
             raise InputError(
@@ -269,6 +270,7 @@ class EndFixture(EqualByValue):
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
         index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
+        # the strip as cut, bent by its loads, and the stiffness of the tab divided by that of this rod
         loaded = strip.as_made.loaded
         lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
         return replace(self, lean=(lean.shift, lean.turn))
@@ -283,6 +285,7 @@ class EndFixture(EqualByValue):
                 "pocket. Raise the floor, or leave out the floor.",
                 tab=self.tab.name, height=Length(self.size[2]), extra=Length(self.lowest), severity="warning",
             ))  # fmt: skip
+        # depth, mm, to which the straight tab in its designed position overlaps a wall
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
         if depth > 0:
             shift, turn = self.lean
@@ -363,6 +366,7 @@ class EndFixture(EqualByValue):
         """
         up, along, height = self._floor_directions
         core = self._block_corners
+        # the block around the pocket, extended to its projection on the floor
         body = convex_corners(np.concatenate([core, core - np.outer(core @ up - height, up)]))
         added = [self._prism(body, self.across)]
         reach = np.array([(core @ along).min(), (core @ along).max()])
@@ -453,6 +457,7 @@ def _groove(middle: Segment, width: float) -> Path:
         return Path.circle(middle.at(0.5), width / 2)
     ends, along = middle.at(np.array([0.0, 1.0])), middle.tangent_at(np.array([0.0, 1.0]))
     off = width / 2 * left_of(along)
+    # bulge of an arc as in DXF files
     bulge = np.tan(middle.sweep / 4) if isinstance(middle, Arc) else 0.0
     return Path.polyline([*(ends - off), *(ends + off)[::-1]], [bulge, 0.0, -bulge, 0.0], closed=True)
 
@@ -489,9 +494,11 @@ def _floors(blocks: Sequence[EndFixture]) -> list[Frame | None]:
     floor = None
     for k in sorted(range(len(blocks)), key=lambda k: blocks[k].lowest_height):
         tab, height = blocks[k].tab.frame, blocks[k].lowest_height
+        # the plane of the strip is not vertical
         if abs(tab.y_axis[2]) > LEVEL:
             continue
         if floor is None or height - floor.origin[2] > MOST_EXTENDED_MM:
+            # far above the floor, a block whose tab points upwards gets a floor perpendicular to its tab
             if tab.x_axis[2] > LEVEL and floor is not None:
                 continue
             floor = Frame((0.0, 0.0, height))

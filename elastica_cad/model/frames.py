@@ -193,12 +193,14 @@ def slotted_frame(
     # slots of ribs and tabs are at least 3 mm apart, and farther in some sheets
     space = max(3.0, limits_or_default(shop).bridge_for(sheet))
     stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (space + clearance))
+    # for each rib, by its name, its places on both rails
     seats = {
         f"rib-{n}": [rail.seat(station, across) for rail in rails]
         for n, station in enumerate(stations, start=1)
     }
     plates: list[BasePlate] = []
     for group, narrower in ((rails, step), (outer, 0.0)):
+        # size of the slots for tongues
         size = (tongue - 2 * narrower + 2 * play, sheet.thickness + clearance)
         for k, rail in enumerate(group):
             held = [*rail.slots]
@@ -209,6 +211,7 @@ def slotted_frame(
             plates.append(plate_with(held, sheet, rail.frame, replace(options, name=rail.name), BasePlate))
     if gap is not None:
         pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
+        # both inner rails, then both outer rails
         plates = [pair[k] for k in (0, 1) for pair in pairs]
     joining = (
         _rib(name, sheet, places, across, tongue, depth, behind=behind, step=step)
@@ -241,7 +244,11 @@ class _RailPlan:
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> Frame:
-        """Return the place where a rib meets the upper face: x along the rib, z normal to the face."""
+        """Return the place where a rib meets the upper face: x along the rib, z normal to the face.
+
+        `station`, mm, is its position along `across`, the normal of the ribs. Its position along the rib is
+        interpolated between the slots beside it.
+        """
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -263,8 +270,13 @@ def _rib(
     behind: float,
     step: float,
 ) -> Rib:
-    """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails."""
+    """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails.
+
+    `seats` are its places on both inner rails, and `across` is its normal. Outer rails are `behind` mm behind the
+    inner rails; it is 0 without outer rails.
+    """
     frame = Frame(seats[0].origin, seats[0].x_axis, np.cross(across, seats[0].x_axis))
+    # half the width of the rib behind a rail, and depths of its side at the rail, its middle and its far side, mm
     rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
     half, full = under + depth / 2, under + depth
 
@@ -274,6 +286,7 @@ def _rib(
         sign = 1.0 if (other.origin - seat.origin) @ seat.x_axis >= 0 else -1.0
         return frame.local(seat.origin + np.array(places) @ [sign * seat.x_axis, -seat.z_axis])[:, :2]
 
+    # if the convex block behind both rails has no side for a tongue, the rib is a bar with an arm behind each rail
     bases = [at(end, (-tongue / 2, under), (tongue / 2, under)) for end in (0, 1)]
     block = [at(end, (-rest, under), (-rest, full), (rest, under), (rest, full)) for end in (0, 1)]
     bar = [
@@ -313,6 +326,7 @@ def _stations_of_ribs(
     Gaps narrower than `space`, mm, are not used.
     """
     slots = [rail.frame.point(slot.corners) @ across for rail in rails for slot in rail.slots]
+    # gaps are between the end of all previous slots and the start of the next slot
     starts, ends = np.transpose(sorted((slot.min(), slot.max()) for slot in slots))
     first, last = float(starts[0]), float(ends.max())
     starts, ends = starts[1:], np.maximum.accumulate(ends)[:-1]
@@ -395,6 +409,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
                     f"{plate.name}: the tab of {tab.name} is too short to glue feet to: make it "
                     f"{Mm(np.ceil(begin + LEAST_GLUED_MM)):.0f} long"
                 )
+            # the foot starts where face and back meet, and extends `size` beyond the slot along the back
             corner = np.array([begin, face])
             past = float(((walls - corner) @ (side * level)).max())
             beside = corner + side * level * (max(past, 0.0) + size)

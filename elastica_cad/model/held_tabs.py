@@ -43,6 +43,7 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     origins, axes = np.array([frame.origin for frame in frames]), np.array([frame.axes for frame in frames])
     # coordinates along the tab, across it, and away from the upper side of the strip
     local = (plate.frame.point(corners) - origins[:, None, None]) @ np.swapaxes(axes, 1, 2)[:, None]
+    # each wall is between two corners, and its points are where it crosses the plane of the curve (y = 0)
     begin, finish = local[:, [0, 3]], local[:, [1, 2]]
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
     met = begin + u[..., None] * (finish - begin)
@@ -64,6 +65,7 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
         if before is not None:
             left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
             both = note("{one} and {other}", one=before.name, other=seat.name.split()[-1])
+            # two slots at a distance limit the angle of the tab by their clearance
             seats[tab.key] = replace(seat, left=left, right=right, name=both, key=FieldName("clearance"))
         else:
             seats[tab.key] = seat

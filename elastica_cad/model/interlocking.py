@@ -67,11 +67,13 @@ def _bent_slot_width(
     across = left_of(along)
     ways = across[:, :1] * ruled.motion(rows[:, 0])[1] + across[:, 1:] * ruled.axis
     tangents = other.motion(mates[:, 0])[1]
+    # derivatives (n, 3, 3) of the distance between points of both strips by the unknowns x below
     slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
     inverse, rows, mates, across = (
         np.tile(matrix, (4, *[1] * (matrix.ndim - 1)))
         for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
+    # one block of n rows for each pair of a face of `ruled` and a face of `other`
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
     # the unknowns x are the distance across the slot, and the distances along and across strip `other`
     x = np.zeros((len(rows), 3))
@@ -90,6 +92,7 @@ def _bent_slot_width(
 
 
 def _points_at_height(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
+    # points in space (n, 3) at heights (n, 1), mm, above points (n, 2) of the flat pattern
     points, tangents = strip.in_plane(flat[:, 0])
     return strip.frame.point(points + height * left_of(tangents)) + flat[:, 1:] * strip.axis
 
@@ -232,6 +235,7 @@ _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDi
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
     """Return the strip with its slots. `drawn` has the first strip of each cut pattern, whose outline is shared."""
+    # slots with which the strip was last cut, and the result
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
@@ -327,6 +331,7 @@ class _Cutter:
             raise InputError(self._touch(members, float(points.first[points.angle.argmin(), 0])))
         slots = []
         for which, last in enumerate(self._cut_ends(members, crossing)):
+            # points of the slot from its inner end to the edge, at most 1.5 mm apart if possible
             p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
             # first this strip, then its mate
             way = 1 - 2 * which
@@ -356,6 +361,8 @@ class _Cutter:
         If both ends of the crossing are possible, the slot of the earlier strip opens towards `above` or, by
         default, along its rulings, unless both slots together are much shorter otherwise.
         """
+        # the earlier strip is cut from the start of the crossing and the later one from its end, or vice versa
+        # the cost of a way is the length of both slots beyond the crossing
         ways, costs = [], []
         for ends in ((0, 1), (1, 0)):
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
@@ -381,6 +388,7 @@ class _Cutter:
         a, b = (self.ruled[i] for i in members)
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return
+        # closer middle surfaces touch; points (n, 3) are in the frame of `a`, whose z axis is along the rulings
         reach = sum(strip_thickness(self.placed[i].strip) for i in members) / 2
         nodes, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
         distance = norm(nodes[:, None, :2] - other[None, :, :2])
@@ -390,6 +398,7 @@ class _Cutter:
         touch = (distance.min(axis=1) < reach) & overlap
         spacing = float(np.diff(a.stations).max())
         for crossing in crossings:
+            # strips that cross at a small angle are close to each other over a long distance
             p = crossing.at(np.array([0.5]))
             room = reach / np.tan(max(float(p.angle[0]), TOUCHING_RAD)) + 2 * spacing
             touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
@@ -415,6 +424,7 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
     if not joints:
         return (note("no strips cross, so no slots were cut"),)
     shallow: dict[Members, list[Joint]] = {}
+    # edges from which the slots of each later strip enter
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)

@@ -178,6 +178,7 @@ def rotate(
     require_declared(rotate, {"step": step}, "rotation")
     k, p = direction(axis, "the axis of a rotation"), three(point, "the point of a rotation")
     angle = 2 * np.pi / count if step is None else float(step)
+    # cross @ v is k x v, and `turn` is the formula of Rodrigues
     cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
     copies = list(placed)
     for i in range(1, count):
@@ -255,6 +256,7 @@ class Model:
 
     @cached_property
     def _names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        # names of all strips, and these names with numbers that make them unique
         return strip_names(self.placed), distinct_names(self.placed)
 
     def _place(self, index: int) -> int:
@@ -402,6 +404,7 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         Options of `Model.interlock`, whose errors are passed on.
     """
     first = locked = model.interlock(**options)
+    # `wider` is the factor of each strip's width
     # `largest` is the largest change of the logarithm of each strip's width in a round of corrections
     wider, largest, rounds = [1.0] * len(model.strips), [0.15] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
@@ -439,6 +442,7 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
 
 
 def _widened(strip: Strip, scale: float) -> Strip:
+    # loads or a section fix the stiffness in N mm2, so the strip keeps its width
     if scale == 1 or strip.max_width is None or strip.rod.bending_stiffness is not None:
         return strip
     return replace(strip, max_width=scale * strip.max_width)
@@ -458,6 +462,7 @@ def _lost_joints(before: Model, after: Model) -> list[tuple[int, float]]:
 
 
 def _width_ratios(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
+    # by the index of a strip, how much narrower (a factor of at least 1) it became at a lost joint
     scales: dict[int, float] = {}
     for k, at in lost:
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))

@@ -211,8 +211,10 @@ def _nested_group(
 
     Rows are along the long or the short side, whichever needs fewer sheets or less of the last sheet.
     """
+    # number of sheets and used area of the last sheet, whether rows are along the height, and the places
     best: tuple[tuple[float, float], bool, list[list[_Place]]] | None = None
     for upright in (False, True):
+        # every box has a margin on one side, so the other edge of the sheet needs one more
         usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
         boxes = [_boxes(i, piece, margin, usable, upright) for i, piece in enumerate(pieces)]
         if not all(boxes):
@@ -233,7 +235,8 @@ def _nested_group(
 def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
     """Return the boxes of a piece with margin, narrowest first, turned as the grain permits.
 
-    With `upright`, rows run along the short side of the sheet.
+    `usable` are the sizes of the sheet along and across the rows, mm, without one margin. With `upright`, rows run
+    along the height of the sheet.
     """
     x, y = (side + margin for side in piece.size)
     boxes = []
@@ -249,6 +252,7 @@ def _pack(
     boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float, float]
 ) -> list[list[_Place]]:
     """Return the places of all boxes on each sheet."""
+    # each item has the boxes, turned or not, of one copy of a piece
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
@@ -256,6 +260,7 @@ def _pack(
     ends: list[float] = []  # end of the last row on each sheet, mm
     sheets: list[list[_Place]] = []
     for ways in queue:
+        # best fit: least unused width of the row, then least unused length
         fits = [
             (
                 _rounded(row.wide - box.wide),
@@ -325,6 +330,7 @@ def _drawing(
 
 
 def _placement(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
+    # map (3, 3) that turns the piece and puts the lower left corner of its box at x, y
     (x0, y0), (_, y1) = piece.bounds
     if turned:
         return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])

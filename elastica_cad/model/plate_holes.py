@@ -95,6 +95,7 @@ class PlateHoles:
         windows: tuple[Path, ...] = ()
         if self.bridge:
             inner = float(np.ptp(opening.bounds[:, 0])) / 2
+            # holes inside the opening are in a round hub, with half the bridge's width of material around them
             reach = circle + self.screw / 2 if self.screws and circle - self.screw / 2 < inner else 0.0
             hub = max(round_hole, reach)
             windows = _openings_beside_bar(
@@ -110,6 +111,7 @@ def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: flo
     """
     if max(hub, half) + half >= outer:
         return ()
+    # the edges of the bar meet the opening at x = far, and the hub at x = near
     far = np.sqrt(outer**2 - half**2)
     turn = float(np.arcsin(half / outer))
     segments: list[Segment] = [Arc((0, 0), outer, turn, np.pi - turn)]

@@ -203,6 +203,7 @@ def _tested_cures(
         cures.append(
             _untested_cures(long) if wide == np.inf else note(text, needed=Length(long), width=Length(wide))
         )
+    # largest gap at which each present tab reaches through the second plate
     behind = [
         -float(plate.frame.local(tab.tip)[2]) - 2 * plate.sheet.thickness
         for plate in slotted
@@ -255,6 +256,7 @@ def fitting_tabs(
 def _fitted_length(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, width: float
 ) -> float:
+    # bent tabs may need more than `length`; the result is the length, mm, that all of them need
     sized = _makeable(placed, length, width, options_of(plates[0]))
     tried = [_tried_pair(sized, plate, gap) for plate in plates]
     longer = max(length, *(up_to_tenth(max(needed.values())) for _, needed in tried))
@@ -337,8 +339,12 @@ def lean_pair(
 def _leaned(
     placed: Sequence[Placed], plates: tuple[Plate, Plate], cures: Cures
 ) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
-    """Return the plates with moved slots (see `lean_pair`), and the length, mm, that each bent tab needs."""
+    """Return the plates with moved slots (see `lean_pair`), and the length, mm, that each bent tab needs.
+
+    The lengths are by the `key` of the tab.
+    """
     leaned = plates
+    # the cut of the strip, the strip, the index of its end, and the key of its tab
     ends = [
         (cut_key(member.strip), member.strip, index, PlacedTab.of(member.strip, end, member.frame).key)
         for member in placed
@@ -346,6 +352,7 @@ def _leaned(
     ]
     # five rounds usually suffice, because the movement decreases tenfold in each round
     for _ in range(16):
+        # endless tabs touch all points of a wall, also in a plate that the present tab does not reach
         endless = (
             _with_slots(plate, lambda slot, tab: replace(slot, tab=replace(tab, length=np.inf)))
             for plate in leaned
@@ -353,6 +360,7 @@ def _leaned(
         seats = tab_seats(endless)
         leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
         for cut, strip, index, key in ends:
+            # equal ends of equal cuts in equal seats are computed once
             if key in seats:
                 alike = cut, index, seats[key].places
                 if alike not in known:
@@ -369,6 +377,7 @@ def _leaned(
             break
     else:
         raise _bends_too_far(plates[0], tabs_of(plates[0])[0], cures)
+    # a tab must reach to the far face of the second plate
     back = plates[1].frame.shifted(z=-plates[1].sheet.thickness)
     tabs = [tab for tab in tabs_of(plates[1]) if tab.key in leans]
     needed = {tab.key: _bent_length(tab, leans[tab.key], back) for tab in tabs}
@@ -384,13 +393,15 @@ def _leaned(
 def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple[TabSlot, ...]:
     """Return the slots of a plate, moved to where the bent tabs pass through it.
 
-    `leans` has the bend of each tab between the two plates.
+    `leans` has the displacement of the holder of each tab and the shape of the bent tab (see `Lean`), by the key
+    of the tab.
     """
     slots = list(plate.slots)
     for k, tab, walls in slot_walls(plate):
         if (lean := leans.get(tab.key)) is not None:
             places, slopes, distances = np.transpose([lean.touched(wall) for wall in walls])
             slope, frame = float(slopes.mean()), tab.frame
+            # the left of the curve is in direction -z of the tab
             out = np.cos(slope) * frame.x_axis - np.sin(slope) * frame.z_axis
             bent = replace(tab, frame=Frame(frame.origin, out, frame.y_axis))
             angle = float(np.arcsin(-(bent.frame.x_axis @ plate.frame.z_axis)))
@@ -415,12 +426,16 @@ def _moved_slot(
     The slot is as wide as the bent tab with its clearance, or narrower if both walls are `pressed` (2,).
     """
     _, low, high = room_of_tab(bent, plate.frame, plate.sheet.thickness)
+    # least width of the slot for the bent tab, and this width with the clearance, mm
     tight = float(high[1] - low[1])
     loose = tight + options_of(plate).room_beside(tight)
     left, across = (-(plate.frame.axes @ one.frame.z_axis)[:2] for one in (tab, bent))
     walls = np.array([slot.corners[:2], slot.corners[3:1:-1]])
+    # the offsets are measured across the bent tab, but the walls move in the plate
     walls = walls + (offsets / float(across @ left))[:, None, None] * left
+    # direction from wall 0 to wall 1
     out = (slot.corners[3] - slot.corners[0]) / slot.size[1]
+    # a single pressed wall keeps its moved position, and the slot becomes wider on the other side
     middle = walls.mean(axis=0)
     if pressed.sum() == 1:
         half = loose / 2 * out
@@ -498,6 +513,7 @@ def end_plates(
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
     ends, tabs_at = ring_options.ends, _tabs_at_ends(placed)
     outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
+    # the plates are named by the heights of vertical tabs; the height 0 for other tabs gives the names of ends
     upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
     first, last = (
         float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) if upright else 0.0 for end in ENDS
@@ -519,6 +535,7 @@ UPRIGHT_COSINE = 0.9
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
+    # strips drawn in the opposite direction are reversed, so that each end has neighbouring tabs
     tabs = tabs_to_hold(placed)
     pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
@@ -549,6 +566,7 @@ def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions)
     """Return two plates, the lower plate first, for tabs that point in two opposite directions."""
     tabs = tabs_to_hold(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
+    # the first axis is the line to which the tabs are most nearly parallel
     _, _, axes = np.linalg.svd(outs)
     is_upward = outs @ axes[0] > 0
     sides = [
@@ -602,10 +620,13 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     center = points.mean(axis=0)
     _, _, axes = np.linalg.svd(points - center)
     along = axes[0] if len(tabs) > 1 else tabs[0].frame.y_axis
+    # normal to the line on which the starts nearly are, and as opposite to the mean tab as possible
     square = down - (down @ along) * along
     normals = [-square / max(float(np.linalg.norm(square)), 1e-12)]
+    # normal of the plane nearest to the starts
     if len(tabs) > 2:
         normals.append(-np.sign(axes[2] @ down) * axes[2])
+    # a normal is possible if all tabs are steep enough for slots
     fit = [float((outs @ n).max()) < -np.sin(FLATTEST_RAD) for n in normals]
     if not any(fit):
         flattest = max(-float((outs @ n).max()) for n in normals)

@@ -255,12 +255,15 @@ class BasePlate:
 
     def _opening_notes(self, options: PlateOptions) -> tuple[str, ...]:
         """Return the note on a missing opening, or on a bridge without effect."""
+        # windows are the parts of the opening beside a bridge
         if self.opening is not None or any(map(is_window, self.holes)):
             return ()
         holes = options.holes
+        # the hole for a lamp holder or the bridge replaces the opening
         if holes is not None and holes.is_in(self.name) and (holes.bridge or holes.bulb):
             return (self._bridge_note(options, holes),) if holes.bridge else ()
         tabs, bridge = self.tab_loops, limits_or_default(options.shop).bridge_for(self.sheet)
+        # without room for an opening even at the least border, no opening is expected
         if not (self.is_round and tabs) or 2 * around(tabs, self._middle, bridge)[0] < LEAST_OPENING_MM:
             return ()
         return (
@@ -272,7 +275,10 @@ class BasePlate:
         )  # fmt: skip
 
     def _bridge_note(self, options: PlateOptions, holes: PlateHoles) -> str:
-        """Return the note that a bridge has no effect, with a width that was tried and has an effect."""
+        """Return the note that a bridge has no effect, with a width that was tried and has an effect.
+
+        If the requested width has an effect without the spacers, the spacers are the cause.
+        """
         given = holes.bridge or 0.0
         widths = (given, *np.arange(np.ceil(given) - 1.0, 0.0, -1.0).tolist())
         works = (width for width in widths if self._has_bridge(options, replace(holes, bridge=width)))
@@ -288,10 +294,15 @@ class BasePlate:
         )  # fmt: skip
 
     def _has_bridge(self, options: PlateOptions, holes: PlateHoles) -> bool:
-        """Return True if the plate with these holes and without spacers has openings beside the bridge."""
+        """Return True if the plate with these holes and without spacers has openings beside the bridge.
+
+        The bridge is a bar across the round opening that carries the holes in the middle (see `PlateHoles`).
+        """
         if not (self.is_round and self.tab_loops):
             return False
+        # openings beyond the limits of the workshop do not count
         options = replace(options, holes=holes, ignore_limits=False)
+        # spacers have tongues in slots without a tab
         slots = tuple(slot for slot in self.slots if slot.tab is not None)
         plate = replace(self, slots=slots, options=options).resized(
             *around(self.tab_loops, self._middle, options.border)
@@ -338,6 +349,7 @@ class BasePlate:
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
         slots = [dense_points(slot.corners) for slot in self.slots]
         holes = [dense_points(hole) for hole in self._hole_points]
+        # the empty array is for a single slot without other cuts
         labels = [
             self._slot_label(slot, np.concatenate([*slots[:k], *slots[k + 1 :], *holes, np.zeros((0, 2))]))
             for k, slot in enumerate(self.slots)
@@ -395,6 +407,7 @@ class BasePlate:
                 along = unit_vectors(turn)
                 axes = np.array([along, left_of(along)])
                 x, y = axes @ cuts.T
+                # the name fits between two neighbouring cuts in its column, best between the farthest
                 y = np.sort(y[np.abs(x) <= half + CLEAR_MM])
                 room = np.diff(y) - height - below - 2 * CLEAR_MM
                 for k in (-room).argsort()[: np.count_nonzero(room > 0)]:
@@ -412,6 +425,7 @@ class BasePlate:
         """
         a, b, *_ = slot.corners
         along = unit(b - a)
+        # the name reads from left to right, or upwards
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
             along = -along
         middle, axes = slot.corners.mean(axis=0), np.array([along, left_of(along)])
@@ -420,6 +434,7 @@ class BasePlate:
         for scale in (1.0, 0.8, 0.6):
             height = scale * min(LABEL_MM, 0.2 * slot.size[0])
             half, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
+            # heights of the base line above the middle of the slot, and the distance of the nearest cut for each
             bases, room = (far, -far - height), []
             for base in bases:
                 beside = y - base - (1 - DESCENDER_DEPTH) / 2 * height
@@ -491,6 +506,7 @@ def base_plate(
     if not tabs:
         raise InputError("{name} holds no end of any strip: change its 'strips' or 'ends'", name=name)
     heights = ground.local([[tab.frame.origin, tab.tip] for tab in tabs])[..., 2]
+    # tabs that start above the plate, or hardly below its upper face, and reach into it
     standing = [
         tab
         for tab, (start, tip) in zip(tabs, heights.tolist(), strict=True)
@@ -521,6 +537,7 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
     """Return a fault for each strip that would run into a base plate, because it is wider than its tab."""
 
     def depth(tab: PlacedTab) -> float:
+        # depth, mm, of the lower corner of the strip's end below the upper face of the plate
         height = float(ground.local(tab.frame.origin)[2])
         return tab.end_width / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
 
@@ -584,6 +601,7 @@ def _mean_center(loops: Sequence[FloatArray]) -> FloatArray:
 def _opening_and_holes(
     options: PlateOptions, center: FloatArray, radius: float
 ) -> tuple[Path | None, tuple[Path, ...]]:
+    # the opening of a round plate, or None, and the loops of its holes (see `PlateHoles.cut`)
     opening = Path.circle(center, radius) if 2 * radius >= LEAST_OPENING_MM else None
     if options.holes is None or not options.holes.is_in(options.name):
         return opening, ()
@@ -595,6 +613,7 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
 
     `loops` are the corners of the slots, (4, 2) each.
     """
+    # corners of the slots and middles of their sides
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = norm(points - center)
     return float(away.min()) - border, float(away.max()) + border
@@ -643,6 +662,7 @@ def room_of_tab(tab: PlacedTab, ground: Frame, thickness: float) -> tuple[FloatA
     """
     edges = ground.local(tab.edges)
     step = ground.axes @ tab.frame.x_axis
+    # points where the four edges of the tab cross the upper and the lower face of the plate
     through = [edges - np.outer((edges[:, 2] - z) / step[2], step) for z in (0.0, -thickness)]
     u = unit((ground.axes @ tab.frame.y_axis)[:2])
     axes = np.array([u, left_of(u)])
@@ -830,6 +850,7 @@ def ring_plate(
     seats = [_seat_corners(tab, frame) for tab in tabs]
     out = unit(seats[0].mean(axis=0))
     along, across = seats[0] @ out, np.abs(seats[0] @ left_of(out))
+    # each of the equally spaced seats must be inside its own sector of the ring
     if np.any(across >= along * np.tan(np.pi / len(tabs))):
         raise InputError(
             "{name}: neighbouring tabs overlap at a distance of {least} from the axis. End the strips at a "
@@ -871,10 +892,12 @@ def end_names(name: str, heights: tuple[float, float]) -> dict[StripEnd, str]:
 
 
 def _level_frame(height: float, *, up: bool) -> Frame:
+    # the horizontal plane at a height, mm, whose z axis points up or down
     return Frame((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0 if up else -1.0, 0.0))
 
 
 def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
+    # corners (4, 2), mm, of the tab in the plane of the ring
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
     return frame.local(tab.frame.point(corners))[:, :2]

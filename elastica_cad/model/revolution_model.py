@@ -116,11 +116,13 @@ def _bisector_bound(
     """
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
+    # normals of the planes of both strips, each towards the other strip
     z, r = frame.z_axis, opposite.z_axis
     z = z * np.sign((middles[1] - frame.origin) @ z)
     r = r * np.sign((middles[0] - opposite.origin) @ r)
     # normal of the plane midway between the facing sides of both strips
     normal = z - r
+    # change of the distance from the plane per mm along the ruling
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < SLOPE_TOLERANCE:
         raise InputError(
@@ -134,11 +136,13 @@ def _width_within(
     curve: PlaneCurve, bounds: Sequence[tuple[float, FloatArray]], gap: float, name: str
 ) -> Profile:
     """Return twice the smaller of the bounds of `_bisector_bound`, with a kink where the bounds cross."""
+    # the width is continuous also at corners of the curve
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         (a, b), (c, d) = bounds
         if np.hypot(*(b - d)) > SLOPE_TOLERANCE:
             breaks += [(r.s, 0) for r in line_crossings(curve, a - c, b - d) if r.kind == "crossing"]
+    # of several breaks at a place, the least continuity is the last, and is kept
     inside = {s: c for s, c in sorted(breaks, reverse=True) if END_MM < s < curve.length - END_MM}
 
     def half(s: FloatArray) -> FloatArray:
@@ -313,12 +317,13 @@ def revolved_strip(
     return _Request(strips, sheet, gravity=acting, **options)._placed(meridian)[0].strip
 
 
+# strips, rings with spacers, and messages
 Made: TypeAlias = tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]
 
 
 @dataclass(frozen=True)
 class _Request:
-    """Options of a surface of revolution, for every meridian that is tried.
+    """Options of a surface of revolution, for every meridian that is tried; see `revolve`.
 
     `narrower`, mm, is taken from the width of default tabs between two rings.
     """
@@ -379,6 +384,7 @@ class _Request:
             )
             for end in ENDS
         ]  # fmt: skip
+        # results of the two checks of the strips, then the rings
         _, warnings, *made = _results_of(checks)
         warnings = (*notes, *warnings)
         plates: tuple[Ring, ...] = tuple(made)
@@ -423,6 +429,7 @@ class _Request:
         if self.compensate:
             strip = compensate_within(strip, self.shop)
         if strip.max_width is not None and strip.correction is not None:
+            # corrected widths are scaled until they nowhere exceed the touching widths
             s = strip.rod.s
             strip = replace(strip, max_width=widest * float((width(s) / strip.width(s)).min()))
         strip = self._loaded(strip)
@@ -484,6 +491,7 @@ class _Request:
         A tab that would be too narrow for the workshop, as at a pole, is as wide as the end of the strip.
         """
         ends = meridian.curve.sample(2)
+        # angles (2,) of the tabs in the plane of the meridian; 0 is away from the axis
         outward = ends.angle + np.array([np.pi, 0.0])
         steep = np.abs(np.sin(outward))
         lengths, through = np.full(2, RING_TAB_LENGTH), 0.0 if self.rings is None else self.rings.thickness
@@ -494,6 +502,7 @@ class _Request:
             lengths = np.where(
                 steep > np.sin(FLATTEST_RAD), np.maximum(needed, RING_TAB_LENGTH), RING_TAB_LENGTH
             )
+        # least distance (2,), mm, of each tab from the axis, where neighbouring tabs are closest
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         # tabs of neighbouring strips are at least 0.5 mm apart
         gap = 0.5
@@ -560,7 +569,7 @@ def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
         return True
 
     start, end = meridian.ring
-    # 60 sizes in all
+    # 60 sizes in all; then every whole mm below the first size that works
     tried = np.unique(np.ceil(np.geomspace(end, start, 60)[1:-1]).astype(int))
     tried = tried[(tried > end) & (tried < start)]
     first = next((i for i, ring in enumerate(tried.tolist()) if works(ring)), None)

@@ -144,6 +144,7 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
         for k, end in enumerate(ENDS)
     }
     mine = [ends[key] for key in keys if key in ends]
+    # the suggestion names no width if all tabs have their default width and this width fits
     keep = all(member.strip.ends[k].width is None for member, k in mine)
     longest = max(tab.length for member, _ in mine for tab in member.strip.ends)
     # in the order of preference

@@ -184,11 +184,13 @@ def _places(
     most, best, sheet, bridge = 0, None, plates[0].sheet, _bridge(plates[0])
     for tried in _sizes(plates):
         for width, places, margin in _free_places(placed, tried, gap):
+            # at this distance, mm, two spacers do not meet at any angle
             apart = 2 * float(norm(np.array([width, sheet.thickness]) / 2 + bridge))
             thinned = _thinned(places, margin, apart)
             most = max(most, len(thinned))
             if len(thinned) >= count:
                 chosen = _far_apart(places, thinned, count)
+                # places to which the spacers may still be moved
                 free = places[margin >= margin[chosen].min() / 2]
                 moved, spread = _spread(free, places[chosen], apart, width, plates)
                 if best is None or spread > best[-1]:
@@ -209,6 +211,7 @@ def _places(
 
 def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
     slots = [plate.tab_loops for plate in plates]
+    # largest distance between the two slots of a tab, in the plane of the plates
     offset = float(norm(np.diff(slots, axis=0)[0].mean(axis=1)).max())
     return max(options_of(plates[0]).border, _border_with_spacers(plates[0]) + float(np.ceil(offset)))
 
@@ -245,6 +248,7 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
     first, second = plates
     if not (first.is_round and second.is_round):
         return
+    # rows are the plates, and columns the radii of opening and rim
     radii = np.array([_radii(plate) for plate in plates])
     room = _border_with_spacers(first) + GRID_RADIUS_MM - options_of(first).border
     inner, outer = float(radii[:, 0].min()) - room, float(radii[:, 1].max()) + room
@@ -261,6 +265,7 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
 
 
 def _radii(plate: BasePlate) -> tuple[float, float]:
+    # radii, mm, of opening and rim that keep the border from the slots for tabs
     return around(plate.tab_loops, plate.outline.bounds.mean(axis=0), options_of(plate).border)
 
 
@@ -278,9 +283,11 @@ def _free_places(
         [_enclosed(plate.outline.points(PITCH_MM / 10), tried) for plate in plates]
     )
     tried = tried[inside & ~np.logical_or.reduce([_enclosed(loop, tried) for loop in closed])]
+    # leave out places that are too close to a cut for any tongue
     near, _ = near_pairs(tried[:, :2], cuts, bridge + thickness / 2)
     tried = np.delete(tried, near, axis=0)
-    # a tongue has half the width of its spacer
+    # a tongue has half the width of its spacer and keeps a bridge from all cuts
+    # a body keeps a smaller distance from cuts, strips and tabs
     for width in (24.0, 18.0, 12.0):
         body = np.array([width, thickness]) / 2
         margin = np.minimum(
@@ -338,6 +345,7 @@ def _obstacles(
     places = {slot.tab.key: slot.corners for slot in second.slots if slot.tab is not None}
     for slot in first.slots:
         if slot.tab is not None and slot.tab.key in places:
+            # rectangle around both slots of the tab, which passes from one slot to the other
             u = unit(slot.corners[1] - slot.corners[0])
             axes = np.array([u, left_of(u)])
             low, high = box_about(np.concatenate([slot.corners, places[slot.tab.key]]) @ axes.T)
@@ -357,6 +365,7 @@ def _obstacles(
 
 
 def _enclosed(loop: FloatArray, places: FloatArray) -> BoolArray:
+    # True for places (n,) inside the loop: a ray along x crosses an odd number of its sides
     inside = np.zeros(len(places), dtype=bool)
     for (x0, y0), (x1, y1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
         rises = (y0 > places[:, 1]) != (y1 > places[:, 1])
@@ -416,6 +425,7 @@ def _spread(
     towards = unit_vectors(DIRECTIONS).T
 
     def reach(places: FloatArray) -> FloatArray:
+        # distances (n, k), mm, to which spacers extend from the middle in each of `DIRECTIONS`
         half = width / 2 if count == 2 else 0.0
         across = half * np.abs(np.cos(places[:, 2:] - DIRECTIONS))
         return np.asarray((places[:, :2] - middle) @ towards + across, dtype=float)
@@ -426,6 +436,7 @@ def _spread(
         before, chosen = chosen, chosen.copy()
         for k in range(count):
             others = np.delete(chosen, k, axis=0)
+            # for each free place: distance from the nearest other spacer, and extent together with the others
             least = np.linalg.norm(free[:, None, :2] - others[:, :2], axis=-1).min(axis=1)
             extent = np.maximum(reaches, reach(others).max(axis=0)).min(axis=1)
             chosen[k] = free[np.where(least >= apart, extent + least, -np.inf).argmax()]

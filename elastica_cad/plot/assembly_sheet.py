@@ -280,6 +280,7 @@ def _plate_sentences(
                 "Put spacers {gap:.3g} high between {second} and {first}. These spacers are not in the kit.",
                 second=second.name, gap=Length(gap), first=first.name,
             )  # fmt: skip
+    # slots without a tab are for tongues: of spacers in stacked plates, of ribs in rails
     rails = [
         plate.name
         for plate in _plates(singles)
@@ -477,6 +478,7 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
     def cells(part: EqualStrips) -> tuple[str, ...]:
+        # force, N, and moment, N mm, at the start and at the end
         return tuple(f"{size:.2g}" for end in part.strip.reactions().sizes for size in end)
 
     for texts, parts in groupby((part for part in model.parts if not part.strip.is_closed), cells):
@@ -493,6 +495,7 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
         for places in shapes.values():
             rows = [cut_rows[k] for k in places]
             names = [row.called for row in rows]
+            # names of rows one after another are shortened to "A1 to A5"
             in_order = places[-1] - places[0] < len(places) and not any(row.number for row in rows)
             name = _range(names) if in_order else _joined(names)
             count = sum(row.count for row in rows)
@@ -608,6 +611,7 @@ class View:
         bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
         middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
         painted, assembled_strips, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
+        # displacements (3,), mm, of the strips by the keys of their tabs
         moved, outs = list[Placed](), dict[object, FloatArray]()
         for member in model.placed:
             # each strip is moved outwards by a quarter of its distance from the middle
@@ -616,6 +620,7 @@ class View:
             outs |= {tab.key: out for tab in place_tabs([member])}
             painted.append(rule_strip(moved[-1]))
             assembled_strips.append((member.strip, painted[-1][0] - out))
+        # one label for each name of a plate, and the places (3,) to which lines lead, by the keys of the tabs
         names, targets = dict[str, Label](), dict[object, FloatArray]()
         for holder in single_holders(holders):
             # plates and blocks are moved away from the strips
@@ -632,6 +637,7 @@ class View:
             for slot in () if isinstance(holder, Rib) else holder.slots:
                 if slot.tab is not None:
                     targets[slot.tab.key] = holder.frame.point(slot.corners.mean(axis=0)) + shift
+        # the start and the end of strip i have the indices 2 i and 2 i + 1
         ends, tabs = place_tabs(moved), place_tabs(model.placed)
         leads = {
             k: np.array([end.tip, targets[tab.key]])
@@ -650,6 +656,7 @@ class View:
                 labels.append(Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0))))
         for part in model.parts:
             for k in range(len(ENDS)):
+                # of equal strips, label the end nearest to the viewer
                 nearest = max((2 * i + k for i in part.members), key=lambda at: float(ends[at].tip @ TOWARD))
                 line = leads.get(nearest, np.array([ends[nearest].tip, ends[nearest].frame.origin]))
                 times = f"{part.count} x " if part.count > 1 else ""
@@ -749,10 +756,12 @@ def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
 
 
 def _half_size(text: str) -> FloatArray:
+    # half the width and half the height (2,) of a label, points
     return np.array([len(text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
 
 
 def _plate_label(name: str, loop: FloatArray) -> Label:
+    # beside the rightmost, leftmost, highest or lowest point of the outline in the picture
     across, up = (loop @ SCREEN).T
     sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
     return Label(name, loop[[across.argmax(), across.argmin(), up.argmax(), up.argmin()]], sides)

@@ -82,6 +82,7 @@ def check(check: EquilibriumCheck) -> Figure:
 
 
 def _marks(check: EquilibriumCheck) -> tuple[tuple[str, str, str, Sequence[float]], ...]:
+    # label, colour, marker and arc lengths, mm, of each kind of place
     return (
         ("inflections", LINE, "o", check.inflections),
         (

@@ -77,6 +77,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     polygons = [_polygon_of(loop, step) for loop in loops]
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
     ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
+    # lines: sides of the polygons that are not parallel to y, with their left and right ends (m, 2)
     order = ends[..., 0].argsort(axis=1)
     left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
     slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
@@ -215,7 +216,7 @@ def model(
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     size = float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, 0.0015 * size, faces) for placed in model.placed]
-    # small patches can be sorted by depth
+    # the depth of a small patch hardly varies, so the depth of its middle decides the order
     holding = ((part, lit(part) * color) for part, color in holder_patches(held_by, 0.02 * size))
     patches, colors = map(np.concatenate, zip(*strips, *holding, strict=True))
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
@@ -290,6 +291,7 @@ def _figure(
         np.sign(np.round((middle - face.origin) @ face.z_axis, 6)) * np.sign(face.z_axis @ toward)
         for face in faces
     ]
+    # the last key counts first: sides of faces before depth
     order = np.lexsort([middle @ toward, *sides])
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 6.0 if flat else 9.0))
@@ -363,6 +365,7 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
         large = edges.max(axis=1) > longest
         if not large.any():
             return triangles, colors
+        # start each triangle a, b, c at its longest side
         turn = (edges[large].argmax(axis=1)[:, None] + np.arange(3)) % 3
         a, b, c = np.moveaxis(np.take_along_axis(triangles[large], turn[..., None], axis=1), 1, 0)
         middle = (a + b) / 2
@@ -376,22 +379,25 @@ def rule_strip(
 ) -> tuple[FloatArray, FloatArray]:
     """Return patches (n, 4, 3) of a strip in space, with tabs, slots, holes and dark rims, and colours (n, 3).
 
-    Patches are split where the strip crosses one of the `faces`.
+    Rims are at most `rim_most` mm wide. Patches are split where the strip crosses one of the `faces`.
     """
     strip = placed.strip
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
+    # arc lengths; tabs are outside 0..length
     x = np.unique([first, *rod.s, last])
     stations = [np.linspace(0.0, rod.length, 81)]
     for face in faces:
         height = (placed.frame.point(_bent(rod, x)) - face.origin) @ face.z_axis
         stations.append(at_sign_changes(height, x))
+    # for both sides of a trapezoid: x, lower y and upper y
     flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / 40)
     across = np.diff(flat[..., 1:], axis=-1)
-    # width of the dark line along edges
+    # width (n, 2, 1) of the dark line along edges
     rim = np.minimum(min(0.035 * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
     along = _bent(rod, flat[..., 0])
+    # four lines in space across each trapezoid, from bottom to top, bound three bands: rim, middle, rim
     lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
     shade = lit(bands[1]) * np.array((placed.color or sheet_color(strip.sheet))[:3])
@@ -399,6 +405,7 @@ def rule_strip(
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:
+    # points (..., 2) of the bent centre line at arc lengths x; the tabs beyond the ends are straight
     inside = np.clip(x, 0.0, rod.length)
     points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
     angle = np.where(x < 0, rod.angle[0], rod.angle[-1])

@@ -30,6 +30,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     """
     # largest distance between splines and drawn polylines
     chord = 1e-4 * part.pair.length
+    # centre lines and outlines of the two rest states
     lines = [part.line_through(rest.position) for rest in part.rests]
     shapes = [part.outline_along(line).points(chord) for line in lines]
     outlines = [part.outline.points(chord), np.concatenate(shapes)]
@@ -64,6 +65,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         points = points - points[0] + part.pair.first.position[0]
         bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
+        # arc length of the pushed point, mm, and its displacement (2,) between the states, mm
         at, displacement = part.pushed
         start, size = lines[0].at(np.array([at]))[0][0], 0.3 * float(norm(displacement))
     else:
@@ -85,6 +87,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     else:
         label += f"; moment on this end from {travel.moment.min():.2g} to {travel.moment.max():.2g} N mm"
         turns = np.unwrap(travel.direction, period=360)
+        # at the largest force, the curve agrees with the direction in the label
         turns += 360 * np.round((part.force_direction - turns[travel.force.argmax()]) / 360)
         directions = push.twinx()
         directions.plot(travel.travel, turns, color=SECOND, lw=0.8, ls="--")

@@ -203,7 +203,7 @@ def _paint_bent(
 ) -> None:
     """Draw the bent strip with the comb of its curvature, inflections, loads and angles.
 
-    `wish` is the drawn curve, and `design` the shape without the imperfections of the drawn rod.
+    `wish` is the drawn curve, and `design` the designed shape of a loaded or moved rod; see `rod`.
     """
     position, tips, turns = rod.position, comb_tips(rod), inflections_of(rod)
     paint_comb(axes, position, tips)
@@ -225,6 +225,7 @@ def _paint_bent(
         align = inward if end.support.is_free else "center"
         write_beside(axes, angle_text, end.position, (beside, -6), ha=align, va="top")
     low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
+    # `shown` has points that the axes must contain
     reach, shown = 0.04 * float(np.max(high - low)), [low, high]
     if design is None and rod.thrust_line and not rod.acting:
         shown += paint_inflection_line(axes, rod.thrust_line[0], low - reach, high + reach)
@@ -268,6 +269,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     paint_flat(axes, strip)
     (left, bottom), (right, top) = strip.outline.bounds
     length, free = right - left, strip.rod.length
+    # step of the distances of texts and lines from the outline, mm
     unit = 0.012 * length
     axes.plot([0, 0, np.nan, free, free],
               [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
@@ -349,6 +351,7 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
     The label of a rail is on the side from which the rail pushes.
     """
     slack = slack_elements(rod.between, rod.force)
+    # `beside` is the offset of the label, points
     for action in rod.between:
         noun = NOUNS[type(action.element)]
         at = points_at(action.s, rod.s, rod.position)
@@ -369,6 +372,7 @@ def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
     `size` is the size of the drawing, mm.
     """
     places = []
+    # arc length (1,), direction (2,) and label of each load
     loads = [(load.s, load.force[0], NOUNS[PointForce]) for load in rod.point_forces]
     if rod.gravity is not None and rod.weight is not None:
         down = np.array(rod.gravity.direction)

@@ -204,6 +204,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip_table(request: Mapping[str, Any]) -> Record:
+    # the table in [[strips]] of the strip that the page shows
     table: Record = request["design"]["strips"][request.get("strip", 0)]
     return table
 
@@ -248,6 +249,7 @@ def _bare_curve(request: Mapping[str, Any]) -> Record:
 
 
 def _drawn_table(curve: object) -> Record:
+    # points of a curve table, drawn for any strip, because a request needs a sheet and a width
     with suppress(ElasticaError, LookupError, TypeError):
         strip = {"curve": curve, "max_width": 10.0}
         return _drawn_points(requested_spec({"schema": 1, "sheet": "birch-plywood-0.8", "strips": [strip]}))
@@ -350,7 +352,7 @@ def _curve_breaks_strip(spec: StripSpec) -> bool:
 
 
 def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
-    """Return the `StripSpec` and its tables, with positions of ties and loads scaled with the curve.
+    """Return the `StripSpec`, with positions of ties and loads scaled with the curve, and the scaled lists by key.
 
     The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """
@@ -370,6 +372,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
     curve = spec.rod_spec.curve_to_bend
     drawn_curve = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
+    # forces (2,), N, on the strip, by the id of the record
     forces = {id(load): np.array(load.force) for load in loads if isinstance(load, PointForce)}
     if strip is not None:
         forces |= {
@@ -379,6 +382,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
     for key, records in (("between", spec.between), ("loads", loads)):
         for k, record in enumerate(records):
             mass = record.mass if isinstance(record, PointMass) else None
+            # only elements have places, so a mass is placed as a force
             element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
             with suppress(InputError):  # the check reports a position off the curve
                 places = curve.at(PlacedElement.on(element, drawn_curve, curve).s).position
@@ -392,6 +396,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
+    # polylines of the thrust line in a box that is larger than the strip by its size on every side
     low, high = box_about(rod.position)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
@@ -402,6 +407,7 @@ def _drawn_points(spec: StripSpec) -> Record:
 
 
 def _theorem(check: EquilibriumCheck) -> Record:
+    # inflections, the line through them, and the places of faults; `at` has arc lengths, mm
     def places(s: Sequence[float]) -> list[Any]:
         return _rounded(check.curve.at(s).position, 3) if len(s) else []
 
@@ -621,10 +627,12 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
 
 
 def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
+    # shape k of a travel at the position `part` of the slider (see `_bending_frames`)
     bent = strip.bent_as(travel.rods[k])
     shape, verdict, rows = _stations(bent), travel.verdicts[k], [*strain_rows(bent)]
     if verdict.rating != "stable":
         rows.append(stability_row(bent, verdict))
+    # places and leaps are (stage, part of the stage), and these travels have a single stage
     if any(event.t <= travel.places[k][1] for _, event in travel.leaps):
         rows.append(warning_row(note("snaps on the way; this is the other shape"), "Stability"))
     return {
@@ -780,6 +788,7 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
         raise InputError("The position of a control point is {point!r}. Use two numbers in mm.", point=point)
     t = np.linspace(*curve.domain, 2001)[1:-1]
     at = t[np.argmin(norm(curve.evaluate(t) - place))]
+    # each coordinate is a spline with the same knots; of a rational curve, these are homogeneous coordinates
     rows = homogeneous(curve.control_points, curve.weights)
     knots, new, degree = insert(at, (curve.knots, [*rows.T], curve.degree))
     rows = np.transpose(new)[: len(knots) - degree - 1]
@@ -796,6 +805,7 @@ def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
     inner = np.arange(degree + 1, count)
     if not inner.size:
         return PlaneCurve.spline(points, degree=degree - 1)
+    # Greville abscissa of point k, near which the point has its largest influence
     beside = curve.knots[k + 1 : k + degree + 1].mean()
     knot = inner[np.argmin(np.abs(curve.knots[inner] - beside))]
     return PlaneCurve(np.delete(curve.knots, knot), points, degree, weights)

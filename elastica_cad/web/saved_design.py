@@ -112,6 +112,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
 
 
 def _has_movable_points(curve: object) -> bool:
+    # control points as numbers can be dragged; formulae and deformed curves are first converted
     points = curve.get("spline") if isinstance(curve, Mapping) and "reshape" not in curve else None
     return isinstance(points, list) and all(
         isinstance(x, int | float) for point in points if isinstance(point, list) for x in point

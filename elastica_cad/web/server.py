@@ -124,6 +124,7 @@ class Studio:
         if path is not None and path.exists():
             # report an invalid design in the terminal before the page opens
             open_design(path)
+        # first message to each page
         self._hello = page_words() | {
             "do": "hello",
             "starts": start_designs(),

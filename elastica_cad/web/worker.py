@@ -99,6 +99,7 @@ def _translated(value: Any, words: Wording) -> Any:
         return words.sentence(value)
     if isinstance(value, dict):
         return {key: _translated(item, words) for key, item in value.items()}
+    # long lists of points contain no sentences
     if isinstance(value, list) and value and isinstance(value[0], str | dict):
         return [_translated(item, words) for item in value]
     return value

@@ -37,6 +37,7 @@ class Workers:
 
     def __init__(self, saved: Path | None) -> None:
         self._saved = saved
+        # the request, its line for a worker, and the function for the answer, by page and kind of request
         self._waiting: dict[tuple[int, str], tuple[dict[str, Any], bytes, Send]] = {}
         self._arrived = asyncio.Semaphore(0)
         self._tasks: list[asyncio.Task[None]] = []
