@@ -113,12 +113,6 @@ def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = 
 ACTING = (*map(option_name, (*ELEMENTS, *LOADS, *CUTS)), "between", "loads")
 """Options and keys of rails, pins, ties and loads."""
 
-CHANGING = (
-    "--nearest", "--stable", "--ratio", "--margin", "--keep-strain", "--keep-tangents", "--keep-ends",
-    "--keep-length", "--curve", "--all", "--layer", "--unit", "--save-design", "limits", "keep", "curve",
-)  # fmt: skip
-"""Options and keys that select or change a drawn curve, and that save its design."""
-
 
 def _width_of(suggestion: "Suggestion") -> tuple[str, ...]:
     return () if suggestion.width is None else _arguments_of(suggestion.width)
@@ -161,6 +155,13 @@ _OWN_OPTIONS = {
 
 OPTIONS = _names_of_common_keys()
 """Names of the options generated from declarations, by the path of the key that they set."""
+
+CHANGING = (
+    "--nearest", "--stable", "--keep-strain", "--keep-tangents", "--keep-ends", "--curve", "--all", "--layer",
+    "--unit", "--save-design", "limits", "keep", "curve",
+    *(option_name(name) for path, name in OPTIONS.items() if path.startswith(("limits.", "keep."))),
+)  # fmt: skip
+"""Options and keys that select or change a drawn curve, and that save its design."""
 
 DEFAULTS = {
     "label": "the file's name", "ends.length": "10, 0 at a free end", "style.kind": "plain",
