@@ -835,7 +835,7 @@ def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
     def shown(values: Mapping[str, Any]) -> Record:
         return {
             key: _with_name(value, path, name) if isinstance(value, Refusal)
-            else name if str(value) == str(path)
+            else str(value).replace(str(path), name) if str(path) in str(value)
             else value
             for key, value in values.items()
         }  # fmt: skip

@@ -381,7 +381,13 @@ def test_a_dropped_design_opens_no_file_either(text, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("name", "text"), [("my arch.svg", "<svg/>"), ("my arch.dxf", "?"), ("my arch.toml", "?")]
+    ("name", "text"),
+    [
+        ("my arch.svg", "<svg/>"),
+        ("my arch.dxf", "?"),
+        ("my arch.toml", "?"),
+        ("my arch.toml", 'schema = 1\n[[strips]]\nsheet = "pom-1"\nmax_width = 20\n'),
+    ],
 )
 def test_a_dropped_file_is_called_by_its_name(name, text):
     assert answer({"do": "read", "name": name, "text": text})["refused"]["message"].startswith(name)
