@@ -37,7 +37,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import RodState, RodSystem, Step
 
 # accuracy of events, as a fraction of the path
-LOCATED_SHARE = 1e-8
+LOCATED_SHARE = 1e-6
 # step after an event, as a fraction of the path
 FIRST_STEP = 1e-4
 # largest rotation of an edge in a step, rad

@@ -334,8 +334,7 @@ class Flexure:
         shapes = [(rest.bend, rest.stretch) for rest in rests]
         if self.pair.bistable:
             starts = self.rods if self._are_apart(*rests) else self.rods[:1]
-            paths = [self._push(start, scale) for start in starts]
-            shapes += [(path.bend, path.stretch) for path in paths]
+            shapes += [self._push(start, scale, steps=1).visited for start in starts]
         else:
             rods = self._rods_with_moved_end
             shapes.append((self._bends_of(rods), scale**2 * self._pull_of(rods)))
@@ -758,21 +757,22 @@ class Flexure:
             self.bistable and reached,
         )  # fmt: skip
 
-    def _push(self, start: Rod, scale: float) -> PushPath:
+    def _push(self, start: Rod, scale: float, steps: int = TRAVEL_STEPS) -> PushPath:
         """Return the path of a push to the other state."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
-        return push_path(
-            start, at, push, np.linspace(0.0, float(norm(push)), TRAVEL_STEPS + 1), thickness=scale
-        )
+        return push_path(start, at, push, np.linspace(0.0, float(norm(push)), steps + 1), thickness=scale)
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
         path = self._push(start, scale)
         if path.snap is None:
             return path
-        # more shapes up to the snap, and more closely around the largest force
-        peak = path.travel[path.force[path.travel <= path.snap].argmax()]
-        return path.finer(np.linspace(0.0, (path.snap, 2 * peak), TRAVEL_STEPS + 1).ravel())
+        # more shapes around the largest force and the snap
+        k = int(path.travel.searchsorted(path.snap))
+        peak = int(path.force[:k].argmax())
+        near = [(max(peak - 1, 0), peak), (peak, peak + 1), (k - 1, k)]
+        low, high = path.travel[np.array(near)].T
+        return path.finer(np.linspace(low, high, 5)[1:-1].ravel())
 
     @cached_property
     def _moving(self) -> Leg:

@@ -75,9 +75,9 @@ class PushPath:
     way: FollowedPath
 
     @classmethod
-    def listed(cls, way: FollowedPath, travel: FloatArray) -> "PushPath":
-        """Return the shapes and forces at the displacements `travel` (k,), mm, up to the end of the path."""
-        states = [way.at(u / travel[-1]).state for u in travel]
+    def listed(cls, way: FollowedPath, travel: FloatArray, length: float) -> "PushPath":
+        """Return shapes and forces at the displacements `travel` (k,), mm, on a path of this length, mm."""
+        states = [way.at(u / length).state for u in travel]
         position, bend, stretch = map(np.array, zip(*map(_nodal, states), strict=True))
         force, energy = np.array([(state.reactions[-1], state.energy) for state in states]).T
         return cls(travel, force, energy, position, bend, stretch, way)
@@ -91,7 +91,17 @@ class PushPath:
 
     def finer(self, travel: FloatArray) -> "PushPath":
         """Return the path with more shapes, at the displacements `travel`, mm, of the same push."""
-        return self.listed(self.way, np.union1d(self.travel, travel.clip(0.0, self.travel[-1])))
+        more = self.listed(self.way, travel, float(self.travel[-1]))
+        order = np.argsort(np.concatenate([self.travel, travel]), kind="stable")
+        rows = {name: np.concatenate([value, getattr(more, name)])[order]
+                for name, value in vars(self).items() if name != "way"}  # fmt: skip
+        return PushPath(**rows, way=self.way)
+
+    @property
+    def visited(self) -> tuple[FloatArray, FloatArray]:
+        """Changes of curvature, 1/mm, and axial strains (v, n) of the shapes from which the path was computed."""
+        _, bend, stretch = zip(*(_nodal(visit.state) for visit in self.way.visits), strict=True)
+        return np.array(bend), np.array(stretch)
 
     @property
     def largest_force(self) -> float:
@@ -173,7 +183,8 @@ def push_path(
     # ends and loads do not change; only the place of the guide moves
     segment = Segment(free.system, free.system, (replace(guide, mount=last),), (first,))
     begin = segment.system(0.0, (guide,), (True,)).state(free.angles, reactions)
-    return PushPath.listed(followed(segment, Visit.of(0.0, begin, (guide,), (True,))), steps)
+    way = followed(segment, Visit.of(0.0, begin, (guide,), (True,)))
+    return PushPath.listed(way, steps, float(steps[-1]))
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
