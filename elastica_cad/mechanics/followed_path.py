@@ -13,7 +13,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.mechanics.elements import ElementForce, Mount, resultant
+from elastica_cad.mechanics.elements import ElementForce, Mount, Rail, resultant
 from elastica_cad.mechanics.mounted_elements import (
     MEETS_SHARE,
     PULLS_SHARE,
@@ -88,6 +88,12 @@ class Visit:
             # the direction of a force that is a rounding error decides no side
             present.append(with_side(now, shape) if now.size > _rounded(state) else now)
         return cls(t, state, tuple(present), tuple(taut))
+
+    @property
+    def undecided(self) -> bool:
+        """True if a rail that touches the strip may still push to either side."""
+        rails = (action for action in self.elements if isinstance(action.element, Rail) and action.is_one_sided)
+        return any(not rail.mounting.side for rail in rails)
 
     def rod(self, like: Rod) -> Rod:
         """Return the rod of this equilibrium, with the profile, weight and section of `like`."""
@@ -357,7 +363,8 @@ def followed(
         first = _landed(first)
     visit, visits = first, [first]
     # while `near`, a fault is known within twice the step, and each step halves this distance
-    step, near = 1.0 - visit.t, False
+    # the first small movement decides the side to which a rail pushes
+    step, near = FIRST_STEP if visit.undecided else 1.0 - visit.t, False
     while visit.t < 1.0:
         goal = min(visit.t + step, 1.0)
         width = goal - visit.t

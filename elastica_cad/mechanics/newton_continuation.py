@@ -227,6 +227,9 @@ def _minimise_energy(
         descended = _descend(state, step, min(1.0, most / turned) if turned else 1.0)
         if descended is None or (stop is not None and stop(descended)):
             return descended
+        # a strip that is pulled tight comes to rest without an equilibrium
+        if not inertia and descended.energy >= state.energy:
+            return None
         state = descended
     return None
 
