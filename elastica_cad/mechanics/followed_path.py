@@ -92,7 +92,9 @@ class Visit:
     @property
     def undecided(self) -> bool:
         """True if a rail that touches the strip may still push to either side."""
-        rails = (action for action in self.elements if isinstance(action.element, Rail) and action.is_one_sided)
+        rails = (
+            action for action in self.elements if isinstance(action.element, Rail) and action.is_one_sided
+        )
         return any(not rail.mounting.side for rail in rails)
 
     def rod(self, like: Rod) -> Rod:
@@ -362,8 +364,8 @@ def followed(
         events.append(first)
         first = _landed(first)
     visit, visits = first, [first]
-    # while `near`, a fault is known within twice the step, and each step halves this distance
-    # the first small movement decides the side to which a rail pushes
+    # the first small movement decides the side to which a rail pushes; while `near`, a fault is known within twice
+    # the step, and each step halves this distance
     step, near = FIRST_STEP if visit.undecided else 1.0 - visit.t, False
     while visit.t < 1.0:
         goal = min(visit.t + step, 1.0)

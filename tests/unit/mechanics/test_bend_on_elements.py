@@ -290,6 +290,18 @@ def test_a_straight_strip_is_bent_while_something_holds_it(between, supports):
     assert bent.between[0].force.any() == isinstance(between, ec.Rail)
 
 
+def test_the_first_small_movement_decides_to_which_side_a_rail_pushes():
+    """Turned by 0.8 rad at once or in many steps, the arch leaves the bar that it touched."""
+    arch = ec.bend(ec.Rod.straight(100.0, samples=101), end=(80, 0))
+    arch = ec.bend(arch, supports=ec.Supports("clamped", "pinned"))
+    turns = arch.angle[0] - 0.8 * np.linspace(0, 1, 101)[1:]
+    steps = [{"angles": (turn, None)} for turn in turns]
+    slow = bend_path(arch, [steps[0] | {"between": ec.Rail(70.0)}, *steps[1:]])[-1]
+    once = ec.bend(arch, angles=(turns[-1], None), between=ec.Rail(70.0))
+    assert largest_move(once, slow) < 1e-6
+    assert not once.between[0].force.any()
+
+
 def test_a_strip_that_would_be_pulled_tight_over_a_slot_is_refused():
     arch = ec.bend(ec.Rod.straight(300.0, samples=101), end=(200, 0))
     x, y = arch.position[50]
