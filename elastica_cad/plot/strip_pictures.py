@@ -476,12 +476,15 @@ def travel(moved: Travel) -> Figure:
         way, name, force = "load, N", "largest movement under the load, mm", moved.sag
     else:
         way, name, force = "change of rails, pins and cords, %", "force, N", moved.support_force
-    below.plot(moved.path_length, force, color=FORCE, marker=".")
+    # before new loads grow, the ends move: only the last of these shapes is on the axis of the loads
+    begins = [moved.stages[k].unit for k, _ in moved.places].index(moved.unit)
+    shown = slice(max(begins - 1, 0), None)
+    below.plot(moved.path_length[shown], force[shown], color=FORCE, marker=".")
     below.set_xlabel(way)
     below.set_ylabel(name, color=FORCE)
     below.grid(alpha=0.25)
     beside = below.twinx()
-    beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
+    beside.plot(moved.path_length[shown], moved.energy[shown], color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
     for axes in (below, beside):  # include 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()

@@ -167,10 +167,13 @@ class Travel:
 
     @property
     def sag(self) -> FloatArray:
-        """Largest displacement (k,), mm, of a point of the strip from its shape before the stage of each row."""
-        before = [stage.leg.rod(0.0).position for stage in self.stages]
-        pairs = zip(self.rods, self.places, strict=True)
-        return np.array([norm(rod.position - before[k]).max() for rod, (k, _) in pairs])
+        """Largest displacement (k,), mm, of a point of the strip under new loads, from its shape before them.
+
+        It is 0 while the ends move.
+        """
+        before = [stage.leg.rod(0.0).position if stage.unit == "N" else None for stage in self.stages]
+        pairs = ((rod.position, before[k]) for rod, (k, _) in zip(self.rods, self.places, strict=True))
+        return np.array([0.0 if rest is None else norm(place - rest).max() for place, rest in pairs])
 
     @property
     def support_force(self) -> FloatArray:

@@ -46,6 +46,10 @@ def test_the_number_of_steps_only_lists(tmp_path):
     answers = [hung("3kg", tmp_path, steps) for steps in (1, 7, 60)]
     assert [len(answer["shapes"]) for answer in answers] == [2, 14, 120]
     assert len({round(answer["snaps_at"], 6) for answer in answers}) == 1
+    for answer in answers:
+        load, sag = (np.array(answer["travel"][name]) for name in ("load_N", "sag_mm"))
+        assert not sag[load == 0].any()  # the ends move, and nothing sags
+        assert (sag[load > 0] > 0).all()
     ends = [answer["shapes"][-1] for answer in answers]
     for end in ends[1:]:
         assert end["size"] == pytest.approx(ends[0]["size"], rel=1e-7)
