@@ -252,7 +252,7 @@ def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
     if not isinstance(gravity, str) and np.ptp(rod.discrete.angles) <= STRAIGHT_RAD:
         rod = replace(rod, gravity=gravity)  # a straight rod has no rest shape that its weight could change
     between, supports = change.between, change.supports
-    elements = mounted(rod, None if isinstance(between, str) else require_elements(between))
+    elements = mounted(rod, None if is_one_of(between, ["keep"]) else require_elements(between))
     requested = replace(
         rod,
         gravity=rod.gravity if isinstance(gravity, str) else gravity,
@@ -518,7 +518,8 @@ def _snap_warning(percent: float, *, of_loads: bool) -> Refusal:
     return note(text, percent=percent, severity="warning")
 
 
-def _warnings(rod: Rod) -> tuple[str, ...]:
+def inaccuracies(rod: Rod) -> tuple[str, ...]:
+    """Return a warning if the nodes of a bent rod are too far apart for its shape."""
     turn = float(np.degrees(np.abs(np.diff(rod.discrete.angles)).max()))
     if turn < 60.0:
         return ()
@@ -613,7 +614,7 @@ def places_of(legs: Sequence[Leg], steps: int) -> tuple[Place, ...]:
 def _end_of(legs: Sequence[Leg]) -> Rod:
     """Return the rod after the stages of a bend, with what happened on the way as warnings."""
     bent = legs[-1].rod(1.0)
-    return replace(bent, warnings=(*(text for leg in legs for text in leg.warnings), *_warnings(bent)))
+    return replace(bent, warnings=(*(text for leg in legs for text in leg.warnings), *inaccuracies(bent)))
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:

@@ -205,6 +205,7 @@ def test_new_stiffness_bends_again():
 
 STRAIGHT = Rod.straight(100.0, samples=51)
 BAD = {
+    "neither elements nor keep": (STRAIGHT, {"end": (90.0, 0.0), "between": "kept"}, "between"),
     "farther apart": (STRAIGHT, {"end": (120.0, 0.0)}, r"120 mm apart.*100 mm long"),
     "taut": (STRAIGHT, {"angles": (0.5, 0.5)}, "as far apart as the rod is long"),
     "taut and heavy": (STRAIGHT, {"gravity": Gravity(96.0)}, "as far apart as the rod is long"),

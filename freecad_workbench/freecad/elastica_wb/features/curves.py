@@ -34,7 +34,7 @@ from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_n
 from elastica_cad.errors import InputError, Listed, note, sentences
 from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import Leg, path_legs
+from elastica_cad.mechanics.bending import Leg, inaccuracies, path_legs
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 
@@ -90,9 +90,8 @@ class BentFeature(Feature):
         rod = leg.rod(1.0)
         obj.Shape = spline_geometry(rod.curve).toShape()
         obj.Placement = drawn_curve(obj.Strip.Curve, obj).placement
-        put(
-            obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=list(leg.warnings)
-        )
+        reports = [*leg.warnings, *inaccuracies(rod)]
+        put(obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=reports)
 
 
 class SectionFeature(Feature):

@@ -16,7 +16,7 @@ from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import Length, note, sentences
-from elastica_cad.mechanics.bending import Leg
+from elastica_cad.mechanics.bending import Leg, inaccuracies
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.strip.strip import strip_sideways
@@ -103,7 +103,7 @@ class BendPanel(Panel):
             "The strip moves by at most {far:.2f} and is unstable; its stability margin is {margin:.3g}.",
             far=Length(largest_move(self.rest, rod)), margin=state.margin,
         )  # fmt: skip
-        fresh: list[str] = [*leg.warnings]
+        fresh = [*leg.warnings, *inaccuracies(rod)]
         tips = strip_sideways(rod, self.strip.layout)
         if tips.needs_guiding:
             fresh.append(str(tips))
