@@ -1,19 +1,19 @@
 """Drawn curve in units of its length, and measures of the distance of a rod from the curve."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, Length
 from elastica_cad.form_finding.constraints import thin_rows
 from elastica_cad.form_finding.limits import Symmetry
 from elastica_cad.form_finding.rod_map import MappedRod, Sensitivities
 from elastica_cad.form_finding.sqp import LocalModel
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, unit, unit_vectors
+from elastica_cad.geometry.plane_points import dot, left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.splines import spline_through
 
 if TYPE_CHECKING:
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 # number of intervals of the interpolated curve, for an interpolation error of 1e-9 of the curve's length
 SPANS = 1000
-# half width of the window in which the nearest point is searched, as a fraction of the curve's length
-_WINDOW_LENGTHS = 0.08
+# weight of the mean squared distance in the model of the largest distance
+_MEAN_SHARE = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,37 +55,19 @@ class TargetCurve:
         size = curve.length
         return cls((samples.position - origin) / size, samples.angle, samples.curvature * size, size, origin)
 
-    def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return positions (n, 2) and their derivatives (n, 2) at arc lengths s (n,) in 0..1."""
-        spline = self._spline
-        return spline(s), spline(s, 1)
+    def at(self, s: FloatArray) -> FloatArray:
+        """Return the positions (n, 2) at arc lengths s (n,) in 0..1."""
+        return np.asarray(self._spline(s))
 
     def angles(self, s: FloatArray) -> FloatArray:
         """Return the tangent angles (n,), rad, at s (n,): arc lengths divided by the length of the target."""
         return np.interp(s, even_steps(self.angle.size), self.angle)
 
-    def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
-        """Return the arc lengths (n,) of the target points nearest to `points` (n, 2), in windows around `near`."""
-        tries = (near[:, None] + np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)).clip(0, 1)
-        off = self.position[np.rint(tries * (len(self.position) - 1)).astype(int)] - points[:, None]
-        s = tries[np.arange(len(points)), dot(off, off).argmin(axis=1)]
-        for _ in range(4):
-            position, direction = self.at(s)
-            off, i = points - position, np.rint(s * (len(self.position) - 1)).astype(int)
-            # limit the step, because Newton's method diverges near the centre of curvature
-            spread = np.maximum(1 - self.curvature[i] * cross(self._directions[i], off), 0.3)
-            s = (s + dot(off, direction) / spread).clip(0, 1)
-        return np.asarray(s)
-
     @cached_property
     def _spline(self) -> "CubicHermiteSpline":
         from scipy.interpolate import CubicHermiteSpline
 
-        return CubicHermiteSpline(even_steps(self.angle.size), self.position, self._directions)
-
-    @cached_property
-    def _directions(self) -> FloatArray:
-        return unit_vectors(self.angle)
+        return CubicHermiteSpline(even_steps(self.angle.size), self.position, unit_vectors(self.angle))
 
     @cached_property
     def diagonal(self) -> float:
@@ -124,7 +106,12 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
 
 
 class Distance(Protocol):
-    """Interface of a measure of the distance of a rod from the target."""
+    """Interface of a measure of the distance of a rod from the target.
+
+    Its value is the distance to the power of `power`, divided by `power`.
+    """
+
+    power: ClassVar[int]
 
     def value(self, rod: MappedRod) -> float:
         """Return the distance to minimise; the unit of length is the length of the target."""
@@ -150,6 +137,7 @@ class MeanDistance:
 
     targets: FloatArray
     shares: FloatArray
+    power: ClassVar[int] = 2
 
     def value(self, rod: MappedRod) -> float:
         """Return half the weighted mean of the squared distances."""
@@ -163,90 +151,49 @@ class MeanDistance:
 
 
 @dataclass(frozen=True, eq=False)
-class ClosestDistance:
-    """Half the weighted mean of the squared distances of the nodes from the nearest points on the target.
-
-    Attributes
-    ----------
-    shares : (n+1,) array
-        Weights with the sum 1.
-    """
-
-    target: TargetCurve
-    shares: FloatArray
-
-    def value(self, rod: MappedRod) -> float:
-        """Return half the weighted mean of the squared distances."""
-        off, _ = offsets(self.target, rod)
-        return 0.5 * float(self.shares @ dot(off, off))
-
-    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a Gauss-Newton model that omits the motion of the nodes along the target."""
-        off, normal = offsets(self.target, rod)
-        return _least_squares(_across(normal, sensitivities), dot(off, normal), self.shares)
-
-
-@dataclass(frozen=True, eq=False)
 class LargestDistance:
-    """Largest weighted distance of a node from the nearest point on the target.
+    """Largest weighted distance of a node from the target, or of a target point from the rod.
 
     Attributes
     ----------
     factors : (n+1,) array
-        Weights, of which the largest is 1.
+        Weights of the nodes, of which the largest is 1.
     """
 
     target: TargetCurve
     factors: FloatArray
+    power: ClassVar[int] = 1
 
     def value(self, rod: MappedRod) -> float:
-        """Return the largest weighted distance of a node from the target."""
-        off, _ = offsets(self.target, rod)
-        return float((self.factors * norm(off)).max())
+        """Return the largest weighted distance between rod and target."""
+        return float(norm(self._gaps(rod)[3]).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a local model of the largest weighted distance."""
-        off, normal = offsets(self.target, rod)
-        signed = self.factors * dot(off, normal)
-        size, p = np.abs(signed), rod.z.size
-        # nearer nodes are unlikely to be the farthest after a step
-        farthest = thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
-        across = _across(normal, sensitivities)
-        slopes = self.factors[farthest, None] * across[farthest]
-        # signed distances of the nodes after the change to equilibrium; negative to the right of the target
-        at = signed[farthest] + slopes[:, p]
-        rows = np.sign(at)[:, None] * slopes[:, :p]
-        # add a small fraction of the mean square, so that the best step is unique
-        return LocalModel(
-            0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
-        )
+        i, j, w, gaps = self._gaps(rod)
+        size, p, d = norm(gaps), rod.z.size, sensitivities.position
+        # nearer points are unlikely to be the farthest after a step
+        far = thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
+        i, j, w = i[far], j[far], w[far, None, None]
+        along = (self.factors[i, None] * unit(gaps[far]))[:, None] @ ((1 - w) * d[i] + w * d[j])
+        rows = along[:, 0]
+        # add a fraction of the mean square, so that the best step is unique and not too long
+        J = d[..., :p].reshape(-1, p)
+        hessian = _MEAN_SHARE / (len(d) * max(float(size.max()), 1e-9)) * J.T @ J
+        return LocalModel(0.0, hessian, np.zeros(p), size[far] + rows[:, p], rows[:, :p], -1 - far)
 
+    def _gaps(self, rod: MappedRod) -> tuple[IntArray, IntArray, FloatArray, FloatArray]:
+        """Return the weighted gaps (2n+2, 2) of rod points from the target.
 
-def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-    """Return the offsets (n+1, 2) of nodes from the nearest target points, and the unit normals (n+1, 2) there.
-
-    Beyond an end of the target, the normal is the direction of the offset.
-    """
-    return rod.remembered(target, lambda: _offsets(target, rod))
-
-
-def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-    """Return the offsets (n+1, 2) of the nodes from the target, and the normals (n+1, 2) there."""
-    n = len(rod.position) - 1
-    feet = target.feet(rod.position, even_steps(n + 1))
-    position, direction = target.at(feet)
-    off = rod.position - position
-    normal = left_of(unit(direction))
-    size = norm(off)
-    past = ((feet <= 0) | (feet >= 1)) & (size > 0)
-    normal[past] = off[past] / size[past, None]
-    return off, normal
-
-
-def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
-    # derivatives (n+1, p) of the positions along the normals (n+1, 2)
-    d = sensitivities.position
-    return normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1]
+        The rod points are the nodes and the points nearest to points of the target. Each is between two nodes, at
+        (1 - w) position[i] + w position[j].
+        """
+        nodes = np.arange(len(rod.position))
+        _, _, off = _feet(rod.position, self.target.position)
+        k, w, back = _feet(self.target.at(even_steps(nodes.size)), rod.position)
+        i = np.append(nodes, k)
+        gaps = self.factors[i, None] * np.concatenate([off, -back])
+        return i, np.append(nodes, k + 1), np.append(np.zeros(nodes.size), w), gaps
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
@@ -258,34 +205,34 @@ def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalMod
     A = J * roots[:, None]
     A[:, -1] += r * roots
     product = A.T @ A
+    none = np.zeros(0)
     return LocalModel(
-        0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
+        0.5 * float(product[p, p]), product[:p, :p], product[:p, p], none, np.zeros((0, p)), none.astype(int)
     )
 
 
-def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
-    """Return the largest distance between the target and a smooth curve through `nodes` (n, 2).
-
-    The unit is the length of the target.
-    """
+def measure_deviation(target: TargetCurve, points: FloatArray) -> float:
+    """Return the largest distance, mm, between the target and a smooth curve through `points` (n, 2), mm."""
+    nodes = (points - target.origin) / target.size
     other = spline_through(even_steps(len(nodes)), nodes, 3)(even_steps(len(target.position)))
-    return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
+    pairs = (target.position, other), (other, target.position)
+    return target.size * max(float(norm(_feet(*pair)[2]).max()) for pair in pairs)
 
 
-def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """Return the largest distance of points from a polyline.
+def _feet(points: FloatArray, chain: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+    """Return the nearest points of a polyline (c+1, 2) to `points` (m, 2).
 
-    Each point is compared with the two sides beside its nearest vertex.
+    Each point is compared with the two sides beside its nearest vertex. The result is the sides (m,), the places on
+    them (m,) from 0 to 1, and the offsets (m, 2) from there to the points.
     """
     from scipy.spatial import cKDTree
 
-    chords = np.diff(chain, axis=0)
-    squares = np.maximum(np.einsum("ij,ij->i", chords, chords), 1e-300)
+    chords, rows = np.diff(chain, axis=0), np.arange(len(points))
+    squares = np.maximum(dot(chords, chords), 1e-300)
     _, nearest = cKDTree(chain).query(points)
-    least = np.full(len(points), np.inf)
-    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, len(chords) - 1)):
-        off = points - chain[k]
-        chord = chords[k]
-        off -= np.clip(np.einsum("ij,ij->i", off, chord) / squares[k], 0, 1)[:, None] * chord
-        least = np.minimum(least, norm(off))
-    return float(least.max())
+    sides = np.stack([np.maximum(nearest - 1, 0), np.minimum(nearest, len(chords) - 1)])
+    off = points - chain[sides]
+    w = np.clip(dot(off, chords[sides]) / squares[sides], 0, 1)
+    off = off - w[..., None] * chords[sides]
+    best = norm(off).argmin(axis=0)
+    return sides[best, rows], w[best, rows], off[best, rows]

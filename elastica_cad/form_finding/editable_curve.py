@@ -1,5 +1,7 @@
 """Rest shape of a rod as a spline of degree 4 with few control points, for further editing."""
 
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -72,23 +74,21 @@ def editable_curve(rod: Rod) -> PlaneCurve:
     return _in_millimetres(best, rod)
 
 
-def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
-    """Return the shape of a rod as a spline with only `spans` equal knot spans and its inflections on one line.
+def coarse_curves(rod: Rod, spans: Iterable[int]) -> Iterator[PlaneCurve]:
+    """Yield the shape of a rod as splines with only these numbers of equal knot spans.
 
-    The curve only approximates the rod and may violate limits that the rod meets.
+    Their inflections are on one line. They only approximate the rod and may violate limits that the rod meets. A
+    spline with too few spans for the inflections is left out.
 
     Raises
     ------
     NotConvergedError
-        The continuous rod was not found, or the curve cannot pass through its inflections.
+        The continuous rod was not found.
     """
     shape = _continuous(rod)
-    try:
-        return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
-    except np.linalg.LinAlgError as error:
-        raise NotConvergedError(
-            f"a spline of {spans} spans cannot follow the inflections of the bent rod: use more spans"
-        ) from error
+    for count in spans:
+        with suppress(np.linalg.LinAlgError):
+            yield _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), count + 1)), rod)
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:

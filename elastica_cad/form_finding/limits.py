@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics.rod import Rod
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
-Measure: TypeAlias = Literal["mean", "closest", "max"]
+Measure: TypeAlias = Literal["mean", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # largest violation of a limit that counts as met; see `ActiveLimit.broken` for its units

@@ -66,7 +66,7 @@ class NearestRod:
         Limits and kept properties of the request.
     message : str
         Reason for the status FAILED.
-    measure : "mean", "closest" or "max"
+    measure : "max" or "mean"
         Measure of the distance in the request.
     distance : float
         Distance that was minimised, mm, in the requested measure and with the requested weights.
@@ -89,7 +89,7 @@ class NearestRod:
     limits: Limits
     keep: Keep
     message: str = ""
-    measure: Measure = "mean"
+    measure: Measure = "max"
     distance: float = np.inf
     ties: tuple[Rod, ...] = ()
     ended: "SearchPoint | None" = field(default=None, repr=False)

@@ -78,6 +78,9 @@ class SearchSettings(NamedTuple):
         Largest distance that is accepted for a smaller stiffness ratio.
     spline_factor : float
         Factor on the least stiffness ratio, because the stiffness is a spline with few coefficients.
+    measured, measured_distance : int, float
+        Largest number of optima by mean distance from which the largest distance is minimised, and the distance
+        above which it is minimised.
     tie_factor, tie_distance : float
         Further results are reported if their distance is at most `tie_factor` times the least distance, and they
         are farther than `tie_distance` from each other.
@@ -108,6 +111,8 @@ class SearchSettings(NamedTuple):
     exact_distance: float = 1e-3
     ratio_distance: float = 1e-4
     spline_factor: float = 1.005
+    measured: int = 2
+    measured_distance: float = 1e-5
     tie_factor: float = 1.02
     tie_distance: float = 0.02
     closed_gap: float = 1e-3
@@ -128,20 +133,21 @@ def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
     if smaller is not None and (search.best.violation > MET or search.off > SETTINGS.exact_distance):
         other, steps = _search(smaller), search.steps
         search = min(search, other, key=lambda trial: _rank(trial.best))._replace(steps=steps + other.steps)
-    search = _rescaled(search, task.limits.margin)
+    search = _measured(_rescaled(search, task.limits.margin))
     task = replace(task, section=search.task.section)
     problem, outcome, target = search.problem, search.best, task.target
-    deviation = measure_deviation(target, outcome.point.position) * target.size
-    measure = task.request.measure
-    distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
+    rod = task.rod_of(outcome.point)
+    deviation = measure_deviation(target, rod.position)
+    power = task.distance.power
+    distance = (power * task.distance.value(outcome.point)) ** (1 / power)
     return NearestRod(
-        found=task.rod_of(outcome.point), target=task.request.curve, deviation=deviation,
+        found=rod, target=task.request.curve, deviation=deviation,
         status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
         mean_deviation=search.task.off(outcome.point) * target.size,
         binding=active_limits(task, problem, outcome), violation=outcome.violation,
-        iterations=search.steps, limits=task.limits, keep=task.keep, measure=measure,
+        iterations=search.steps, limits=task.limits, keep=task.keep, measure=task.request.measure,
         distance=distance * target.size,
-        ties=tuple(task.rod_of(tie.point) for tie in search.ties),
+        ties=tuple(task.rod_of(tie.point) for tie in search.others),
         ended=search.ended,
         again=partial(_again, replace(task.request, weights=task.weights)),
     )  # fmt: skip
@@ -166,9 +172,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # known optima are recognised by their mean distance, which the measure "max" does not minimise
-            optima = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
-            outcomes.append(minimize(problem, start(), known=optima))
+            outcomes.append(minimize(problem, start(), known=list(filter(_is_optimum, outcomes))))
     best = min(outcomes, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(outcome.iterations for outcome in outcomes)
     return _compared(Search(task, problem, best, (), steps, off), outcomes)
@@ -196,12 +200,13 @@ def _rescaled(search: Search, margin: float | None) -> Search:
     task = search.task.with_margin(margin)
     problem = pose_problem(task)
     met = [
-        worst_broken(problem, problem.values(outcome.point)) <= MET for outcome in (search.best, *search.ties)
+        worst_broken(problem, problem.values(outcome.point)) <= MET
+        for outcome in (search.best, *search.others)
     ]
     # no further search if the rod meets the margin, or violates other limits anyway
     if met[0] or search.best.violation > MET:
-        ties = tuple(tie for tie, stays in zip(search.ties, met[1:], strict=True) if stays)
-        return search._replace(task=task, ties=ties)
+        others = tuple(other for other, stays in zip(search.others, met[1:], strict=True) if stays)
+        return search._replace(task=task, others=others)
     task = replace(task.scaled_by(SETTINGS.scale_reserve), keeps_scale=True)
     for _ in range(SETTINGS.rescalings):
         wider = _narrowed(search, task)
@@ -252,7 +257,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
     """Return the search with the rod of least stiffness ratio if rods follow the target exactly.
 
-    Otherwise, return the search with all equally near rods as `ties`.
+    Otherwise, return the search with the optima of other shapes as `others`.
     """
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
@@ -261,7 +266,8 @@ def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
         if least is not None:
             tight, problem, best = least
             return search._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
-    return search._replace(ties=tuple(_ties(task, problem, best, outcomes)))
+    optima = sorted(filter(_is_optimum, outcomes), key=_rank)
+    return search._replace(others=_distinct(task, problem, [best, *optima])[1:])
 
 
 def _with_least_ratio(
@@ -291,20 +297,34 @@ def _with_least_ratio(
     return (tight, problem, outcome) if good else None
 
 
-def _ties(
-    task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
-) -> Iterator[RodOutcome]:
-    """Yield other optima that are almost as near to the target as the best rod, and differ from each other."""
-    allowed = best.objective * (
-        SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
-    )
+def _distinct(
+    task: NearestTask, problem: RodProblem, outcomes: Sequence[RodOutcome]
+) -> tuple[RodOutcome, ...]:
+    """Return the outcomes without those whose shape is that of an earlier one."""
     apart = (SETTINGS.tie_distance * task.target.diagonal) ** 2
-    distinct = [best]
-    for outcome in sorted(outcomes, key=lambda outcome: outcome.objective):
-        near = _is_optimum(outcome) and outcome.objective <= allowed
-        if near and all(problem.apart(outcome.point, other.point) > apart for other in distinct):
+    distinct: list[RodOutcome] = []
+    for outcome in outcomes:
+        if all(problem.apart(outcome.point, other.point) > apart for other in distinct):
             distinct.append(outcome)
-            yield outcome
+    return tuple(distinct)
+
+
+def _measured(search: Search) -> Search:
+    """Return the search with the rod that is nearest in the requested measure, and those that are almost as near.
+
+    The searches minimise the mean distance, which is smooth. From its optima, the largest distance is minimised.
+    """
+    task, problem, outcomes = search.task, search.problem, (search.best, *search.others)
+    far = task.off(search.best.point) > SETTINGS.measured_distance * task.target.diagonal
+    if task.request.measure == "max" and far and search.best.violation <= MET:
+        problem = replace(problem, distance=task.distance)
+        measured = [minimize(problem, o.point) for o in outcomes[: SETTINGS.measured]]
+        search = search._replace(steps=search.steps + sum(o.iterations for o in measured))
+        outcomes = (*measured, *(replace(o, objective=problem.objective(o.point)) for o in outcomes))
+    best, *others = _distinct(task, problem, sorted(outcomes, key=_rank))
+    most = best.objective * SETTINGS.tie_factor**problem.distance.power
+    ties = tuple(o for o in others if _is_optimum(o) and o.objective <= most)
+    return search._replace(problem=problem, best=best, others=ties)
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
@@ -412,7 +432,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     laid, broken, _ = found
     missed = max((binding.broken for binding in broken), default=0.0)
     target = TargetCurve.of(curve)
-    deviation = measure_deviation(target, (laid.rod.position - target.origin) / target.size) * target.size
+    deviation = measure_deviation(target, laid.rod.position)
     points = curve.sample(laid.rod.s.size).position
     mean = float(np.sqrt(((laid.rod.position - points) ** 2).sum(axis=1).mean()))
     return NearestRod(
@@ -482,7 +502,7 @@ def nearest_rod(
     *,
     supports: Supports | None = None,
     weights: Weights = None,
-    measure: Measure = "mean",
+    measure: Measure = "max",
     samples: int = SEARCH_SAMPLES,
     coefficients: int | None = None,
     section: Section | None = None,
@@ -510,9 +530,9 @@ def nearest_rod(
     weights : optional
         Weight of each part of the curve in the distance: a number, evenly spaced values, or a function of the
         arc length, mm.
-    measure : "mean", "closest" or "max"
-        Distance to minimise. "mean" is the mean of squared distances between rod and curve at equal fractions
-        of their lengths. "closest" uses the nearest points instead, and "max" is the largest distance.
+    measure : "max" or "mean"
+        Distance to minimise: the largest distance of a point of the rod from the curve or of the curve from the
+        rod, or the mean of squared distances between rod and curve at equal fractions of their lengths.
     samples : int
         Number of nodes of the rod.
     coefficients : int
@@ -562,8 +582,8 @@ def nearest_rod(
         require_section(section)
     if whole_number(samples, "samples", 20) > _MOST_NODES:
         raise InputError(f"samples is {samples!r}: use 20 to {_MOST_NODES}, usually {SEARCH_SAMPLES}")
-    if not is_one_of(measure, ("mean", "closest", "max")):
-        raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
+    if not is_one_of(measure, ("mean", "max")):
+        raise InputError(f"unknown measure {measure!r}: use 'mean' or 'max'")
     if coefficients is not None and whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
         raise InputError(f"`coefficients` is {coefficients!r}: give 4 to {(samples - 1) // 2}, at most half "
                          "of `samples`")  # fmt: skip

@@ -10,7 +10,6 @@ from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 from elastica_cad.errors import Length as Mm
 from elastica_cad.form_finding.curve_distance import (
-    ClosestDistance,
     Distance,
     LargestDistance,
     MeanDistance,
@@ -239,8 +238,6 @@ class NearestTask:
     @property
     def distance(self) -> Distance:
         """Requested measure of the distance from the target."""
-        if self.request.measure == "closest":
-            return ClosestDistance(self.target, self._shares)
         if self.request.measure == "max":
             return LargestDistance(self.target, self.weights / self.weights.max())
         return self.mean_distance
@@ -248,15 +245,9 @@ class NearestTask:
     @cached_property
     def mean_distance(self) -> MeanDistance:
         """Measure of the distance between points of rod and target at the same fraction of the length."""
-        targets, _ = self.target.at(even_steps(self.nodes))
-        return MeanDistance(targets, self._shares)
-
-    @property
-    def _shares(self) -> FloatArray:
-        # weights (nodes,) with the sum 1; the end nodes belong to half an edge only
         shares = self.weights.copy()
-        shares[[0, -1]] /= 2
-        return np.asarray(shares / shares.sum())
+        shares[[0, -1]] /= 2  # the end nodes belong to half an edge only
+        return MeanDistance(self.target.at(even_steps(self.nodes)), shares / shares.sum())
 
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:

@@ -151,7 +151,7 @@ RodOutcome: TypeAlias = Outcome[MappedRod]
 
 
 class Search(NamedTuple):
-    """Result of a search: its last task and problem, the best outcome, and equally near outcomes (`ties`).
+    """Result of a search: its last task and problem, the best outcome, and optima of other shapes.
 
     `steps` counts the steps of all searches. `off` is the mean distance of the rod from the target after the
     last search from all initial guesses, in diagonals of the target.
@@ -160,7 +160,7 @@ class Search(NamedTuple):
     task: NearestTask
     problem: RodProblem
     best: RodOutcome
-    ties: tuple[RodOutcome, ...]
+    others: tuple[RodOutcome, ...]
     steps: int
     off: float
 
@@ -180,7 +180,7 @@ def pose_problem(task: NearestTask) -> RodProblem:
     scale, u = np.ones(grid.unknowns.count), grid.unknowns
     scale[u.moment], scale[u.force] = _moment_scale(task), 5 * _moment_scale(task)
     return RodProblem(
-        lower, upper, scale, grid=grid, distance=task.distance,
+        lower, upper, scale, grid=grid, distance=task.mean_distance,
         constraints=tuple(_constraints(task)),
     )  # fmt: skip
 
@@ -311,7 +311,7 @@ def _constraints(task: NearestTask) -> list[Constraint]:
                 size=Length(target.size),
             )
         place = min(s / target.size, 1.0)
-        point, _ = target.at(np.array([place]))
+        point = target.at(np.array([place]))
         constraints.append(Through(target=_pair(point[0]), place=place))
     if task.line is not None:
         a, b = ((p - target.origin) / target.size for p in task.line)
@@ -437,11 +437,9 @@ def active_limits(
     Each group is sorted by the effect of a relative change of the limit, the largest first.
     """
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
-    # change of the distance, mm, by a unit change of the objective, which is half the squared distance if not "max"
-    if task.request.measure == "max":
-        per = size
-    else:
-        per = float(size / np.sqrt(2 * outcome.objective)) if outcome.objective > 1e-14 else 0.0
+    # change of the distance, mm, by a unit change of the objective
+    power = problem.distance.power
+    per = size * (power * outcome.objective) ** (1 / power - 1) if outcome.objective > 1e-14 else 0.0
     at_ratio, pulls = float(outcome.at_upper[u.stiffness].sum()), outcome.at_upper - outcome.at_lower
     bindings = [
         ActiveLimit("ratio", limits.largest_ratio, per * at_ratio, 0.0, _ratio_title(limits), "number")

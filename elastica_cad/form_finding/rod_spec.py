@@ -42,7 +42,7 @@ class RodSpec(RodRequest):
     smooth: float | None = None
     widths: PlainSection | None = None
     weights: Weights = None
-    measure: Measure = "mean"
+    measure: Measure = "max"
     coefficients: int | None = None
 
     def __post_init__(self) -> None:

@@ -38,8 +38,9 @@ class ProgramSettings(NamedTuple):
     steps, lifted_steps : int
         Largest number of steps in a search, and of lifted steps (see `lift`). Lifted steps converge quadratically
         or not at all.
-    progress_tolerance : float
-        The search ends if the model predicts that a step reduces the objective by less than this fraction.
+    progress_tolerance, peak_tolerance : float
+        The search ends if the model predicts that a step reduces the objective by less than this fraction. The
+        second applies to an objective with a maximum, which is a distance instead of the square of one.
     resolution : float
         Absolute accuracy of the objective, which is half a mean of squared distances: about 1 um for a strip of
         300 mm.
@@ -51,8 +52,9 @@ class ProgramSettings(NamedTuple):
     damping, lifted_damping : float
         Damping of steps, and of the first lifted step, as a fraction of the largest second derivative of the
         objective. Damping selects the smallest of several possible steps.
-    damping_cost : float
-        Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective.
+    damping_cost, peak_damping : float
+        Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective, and twice
+        this cost for an objective with a maximum.
     least_damping : float
         Least fraction to which the damping is reduced while steps achieve the predicted decrease.
     lifted_tolerance, lifted_progress : float
@@ -102,6 +104,7 @@ class ProgramSettings(NamedTuple):
     steps: int = 80
     lifted_steps: int = 12
     progress_tolerance: float = 3e-4
+    peak_tolerance: float = 1e-3
     resolution: float = 1e-11
     smallest_radius: float = 1e-7
     lifted_radius: float = 20.0
@@ -109,6 +112,7 @@ class ProgramSettings(NamedTuple):
     damping: float = 1e-9
     lifted_damping: float = 1e-6
     damping_cost: float = 1e-2
+    peak_damping: float = 1e-2
     least_damping: float = 1e-4
     lifted_tolerance: float = 0.1
     lifted_progress: float = 0.7
@@ -149,6 +153,8 @@ class LocalModel:
     hessian, gradient : (p, p), (p,) arrays
     peaks, peak_rows : (k,), (k, p) arrays
         The k terms of the maximum; k = 0 for a smooth objective without a maximum.
+    peak_keys : (k,) array
+        Negative numbers that identify the terms in the models of other points.
     """
 
     value: float
@@ -156,6 +162,7 @@ class LocalModel:
     gradient: FloatArray
     peaks: FloatArray
     peak_rows: FloatArray
+    peak_keys: IntArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -288,12 +295,26 @@ class ActiveSet:
     keys: IntArray
     aim: FloatArray
 
+    @property
+    def without_peaks(self) -> "ActiveSet":
+        """The active set of the constraints alone."""
+        return ActiveSet(self.keys[self.keys >= 0], self.aim[self.keys >= 0])
+
 
 _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 
 def _row_keys(rows: ConstraintRows) -> IntArray:
     return rows.constraint * KEY_STRIDE + rows.index
+
+
+def _rows_and_peaks(local: Linearization[Point]) -> tuple[IntArray, FloatArray, FloatArray]:
+    """Return keys (k,), values (k,) and derivatives (k, p) of the constraint rows and the peaks."""
+    rows, model = local.rows, local.model
+    return (
+        np.concatenate([_row_keys(rows), model.peak_keys]), np.concatenate([rows.value, model.peaks]),
+        np.concatenate([rows.jacobian, model.peak_rows]),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -319,15 +340,14 @@ class Iterate(Generic[Point]):
         change = np.zeros(self.local.z.size + 1)
         change[-1] = 1.0
         if self.active.keys.size:
-            program, rows, z = self.program, self.local.rows, self.local.z
-            _, here, there = np.intersect1d(
-                _row_keys(rows), self.active.keys, assume_unique=True, return_indices=True
-            )
+            program, z = self.program, self.local.z
+            keys, value, jacobian = _rows_and_peaks(self.local)
+            _, here, there = np.intersect1d(keys, self.active.keys, assume_unique=True, return_indices=True)
             free = np.minimum(z - program.lower, program.upper - z) > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
-            gap = self.active.aim[there] - rows.value[here]
+            gap = self.active.aim[there] - value[here]
             # with more rows than free unknowns, rows with large derivatives dominate the least-squares solution
-            change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
+            change[:-1][free] = np.linalg.lstsq(jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
         return change
 
     @cached_property
@@ -411,16 +431,16 @@ def follow_step(
     The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows to
     their predicted values, with the least change of the unknowns. The Newton steps end when the second-order error
     is small compared with the predicted decrease. Compared with a new computation of the state, this method allows
-    larger steps and avoids the Maratos effect.
+    larger steps and avoids the Maratos effect. Active peaks are corrected once, by the first Newton step.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
         after = iterate_at(start.program, here.local.moved(change), active)
         if after is None or not after.defect < SETTINGS.divergence_defect:
             return None
-        if after.is_reliable(promise, highest_penalty):
+        if after.is_reliable(promise, highest_penalty) and (active.keys >= 0).all():
             return after
-        here, change = after, after.change
+        here, change, active = after, after.change, active.without_peaks
     return here if here.defect < SETTINGS.tolerated_defect else None
 
 
@@ -593,10 +613,9 @@ class _Walk(Generic[Point]):
         step, solution = solved
         self.solved = here.local.rows, solution
         self.penalties = _penalties(here.program, here.local.rows, solution, self.penalties)
-        merit, floor = (
-            here.merit(self.penalties),
-            SETTINGS.progress_tolerance * here.objective + SETTINGS.resolution,
-        )
+        merit, peaks = here.merit(self.penalties), here.local.model.peaks.size
+        tolerance = SETTINGS.peak_tolerance if peaks else SETTINGS.progress_tolerance
+        floor = tolerance * here.objective + SETTINGS.resolution
         # predicted decrease of the merit; a decrease below `floor` is not worth a step
         promised = merit - here.predicted_merit(step, self.penalties)
         worth, highest = max(promised, floor), float(self.penalties.max(initial=0.0))
@@ -609,11 +628,17 @@ class _Walk(Generic[Point]):
                 return False
             self.settled = True
         touched = _touched(here, step, solution)
-        trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
-        gain = -np.inf if trial is None else (merit - trial.merit(self.penalties)) / worth
+        trial, gain = None, -np.inf
+        # without, then with a correction that makes the active peaks equal
+        for active in (touched.without_peaks, touched):
+            after = follow_step(here, np.append(step, 1.0), active, worth, highest)
+            if after is not None and (gained := (merit - after.merit(self.penalties)) / worth) > gain:
+                trial, gain = after, gained
+            if gain > 0.75 or (touched.keys >= 0).all():
+                break
         accepted = gain > 1e-4
         if trial is not None and accepted:
-            self.here, self.active = trial, touched
+            self.here, self.active = trial, touched.without_peaks
         elif not reliable and (nearer := self._nearer(trial, worth, highest)) is not None:
             self.here = nearer
             return True
@@ -666,11 +691,13 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
-    """Return the active set after a step: the rows of equalities, and of inequalities with a multiplier."""
-    rows = here.local.rows
-    y = solution.row_multipliers[: rows.value.size]
-    touched = ~rows.one_sided | (y > 1e-6 * rows.penalty)
-    return ActiveSet(_row_keys(rows)[touched], (rows.value + rows.jacobian @ step)[touched])
+    """Return the active set after a step: equalities, and inequalities and peaks with a multiplier."""
+    rows, (keys, value, jacobian) = here.local.rows, _rows_and_peaks(here.local)
+    touched = solution.row_multipliers > 1e-6
+    touched[: rows.value.size] = ~rows.one_sided | (
+        solution.row_multipliers[: rows.value.size] > 1e-6 * rows.penalty
+    )
+    return ActiveSet(keys[touched], (value + jacobian @ step)[touched])
 
 
 def _penalties(
@@ -732,10 +759,10 @@ def _damping(here: Iterate[Point], most: float, share: float) -> float:
     with each unknown divided by its scale, damping costs at most the fraction `share` of the objective.
     """
     model = here.local.model
-    largest = most * float(model.hessian.diagonal().max())
+    objective = here.program.objective(here.local.point)
     if model.peaks.size:
-        return largest
-    return min(largest, max(share * here.program.objective(here.local.point), 1e-16))
+        return SETTINGS.peak_damping * objective
+    return min(most * float(model.hessian.diagonal().max()), max(share * objective, 1e-16))
 
 
 def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray]) -> float:

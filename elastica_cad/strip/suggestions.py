@@ -439,9 +439,7 @@ def _tested(
         if change.field == "point":
             away.append(largest_move(spec.curve, request.curve))
         elif change.field == "nearest_curve":
-            target = TargetCurve.of(spec.curve)
-            nodes = (strip.rod.position - target.origin) / target.size
-            away.append(measure_deviation(target, nodes) * target.size)
+            away.append(measure_deviation(TargetCurve.of(spec.curve), strip.rod.position))
         # a wider strip bends as a plate
         wide = strip.width.extremes[1] > 0.5 * strip.rod.length
         # the search for the nearest curve limits the strain only at its nodes

@@ -63,7 +63,7 @@ def request(rng):
         limits,
         keep,
         weight,
-        rng.choice(("mean", "mean", "closest", "max") if wild else ("mean", "closest")),
+        rng.choice(("mean", "max")),
     )
 
 

@@ -32,7 +32,7 @@ ARCH = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degr
 WAVE = PlaneCurve.spline([(0, 0), (40, 60), (70, -60), (110, 70), (150, -40), (190, 10)], degree=4)
 X = (0, 15, 60, 75, 75, 110, 150, 150, 170, 215, 230)
 PLY = Sheet.named("birch-plywood-0.8")
-LONGER = 1.06 * WAVE.length
+LONGER = 1.15 * WAVE.length
 Y = (0, 45, 50, 10, -40, -60, -40, 10, 50, 45, 0)
 SNAKE = PlaneCurve.spline(np.column_stack([X, Y]))
 
@@ -73,7 +73,7 @@ def test_savings_are_those_of_rods_within_slightly_looser_limits(drawn, name, li
     """A tenth of the step that the sentence names."""
     near, other = (nearest_rod(drawn, given, keep) for given in (limits, looser))
     assert saving(near, f"To come nearer to the drawn curve, relax the {name}") == pytest.approx(
-        10 * (near.distance - other.distance), rel=0.12
+        10 * (near.distance - other.distance), rel=0.15
     )
 
 
@@ -99,7 +99,7 @@ def test_the_ratio_that_the_widths_of_a_strip_limit_is_named_by_its_options():
 
 def test_ends_are_called_by_their_side():
     for wish in (WAVE, WAVE.reversed()):
-        near = nearest_rod(wish, Limits(ratio=2.0, margin=5.0), Keep(tangents=True))
+        near = nearest_rod(wish, Limits(ratio=2.0, margin=5.0), Keep(tangents=True), measure="mean")
         assert (
             saving(
                 near,

@@ -31,4 +31,5 @@ def test_deviation_is_exact(size, stretch):
     s = np.linspace(0, 1, SPANS + 1)
     nodes = stretch * wish.position + size * np.column_stack([np.sin(7 * s), np.cos(4 * s)])
     exact = max(farthest(wish.position, nodes), farthest(nodes, wish.position))
-    assert measure_deviation(wish, nodes) == pytest.approx(exact, rel=1e-9)
+    points = nodes * wish.size + wish.origin
+    assert measure_deviation(wish, points) == pytest.approx(exact * wish.size, rel=1e-9)

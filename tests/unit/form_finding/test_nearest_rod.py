@@ -24,7 +24,7 @@ from elastica_cad import (
     optimal_rod,
     stability,
 )
-from elastica_cad.form_finding.editable_curve import coarse_curve
+from elastica_cad.form_finding.editable_curve import coarse_curves
 from elastica_cad.form_finding.sqp import at_most
 
 pytestmark = pytest.mark.core
@@ -75,7 +75,7 @@ def test_a_longer_rod_that_waves_more_often_is_found():
 
 @pytest.mark.parametrize(
     ("curve", "measure"),
-    [(ARCH, "mean"), (ARCH, "closest"), (ARCH, "max"), (WAVE, "mean"), (WAVE, "closest")],
+    [(ARCH, "mean"), (ARCH, "max"), (WAVE, "mean"), (WAVE, "max")],
 )
 def test_ratio_ends_and_balance(curve, measure):
     near = nearest_rod(curve, Limits(ratio=1.6), measure=measure)
@@ -102,16 +102,17 @@ def test_a_rod_of_which_nothing_is_free():
     wish = PlaneCurve.spline([(0, 0), (40, 60), (90, 60), (130, 0)], degree=3)
     keep = Keep(ends=(True, False), tangents=(True, False), length=True)
     near = nearest_rod(wish, Limits(ratio=1.0), keep, Gravity(96.0), supports=Supports("free", "clamped"),
-                       measure="closest")  # fmt: skip
+                       measure="mean")  # fmt: skip
     assert near.status is Status.FAR
     assert near.rod.length == pytest.approx(wish.length, rel=1e-9)
     assert near.rod.ratio == pytest.approx(1.0)
 
 
 def test_largest_distance_is_least_when_requested():
-    by = {m: nearest_rod(WAVE, Limits(ratio=2.0), measure=m).deviation for m in ("mean", "closest", "max")}
-    assert by["max"] < by["mean"]
-    assert by["max"] < by["closest"]
+    by = {m: nearest_rod(WAVE, Limits(ratio=2.0), measure=m) for m in ("mean", "max")}
+    assert by["max"].deviation < by["mean"].deviation
+    assert by["max"].distance == pytest.approx(by["max"].deviation, rel=1e-3)
+    assert by["mean"].mean_deviation < by["max"].mean_deviation
 
 
 def test_tangents_and_length_are_kept():
@@ -126,9 +127,9 @@ def test_ends_may_be_free():
     kept = nearest_rod(WAVE, Limits(ratio=1.5))
     free = nearest_rod(WAVE, Limits(ratio=1.5), Keep(ends=False))
     assert free.met
-    assert free.mean_deviation < kept.mean_deviation
+    assert free.deviation < kept.deviation
     one = nearest_rod(WAVE, Limits(ratio=1.5), Keep(ends=(True, False)))
-    assert free.mean_deviation <= one.mean_deviation <= kept.mean_deviation
+    assert free.deviation <= one.deviation <= kept.deviation
     np.testing.assert_allclose(one.rod.position[0], WAVE.control_points[0], atol=1e-9)
 
 
@@ -185,7 +186,7 @@ def test_ends_on_the_ground_do_not_fight_it():
     free, near = (nearest_rod(ARCH, Limits(ratio=1.4, keep_out=out)) for out in ((), (ground,)))
     assert near.met
     assert "keep-out" not in {b.name for b in near.binding}
-    np.testing.assert_allclose(near.rod.position, free.rod.position, atol=1e-3)
+    np.testing.assert_allclose(near.rod.position, free.rod.position, atol=1e-2)
     assert near.rod.position[:, 1].min() >= -1e-9
 
 
@@ -276,19 +277,19 @@ def test_supports(start, end, gravity):
 
 
 def test_weights_pull_where_they_are_heavy():
-    plain = nearest_rod(WAVE, Limits(ratio=1.5))
-    heavy = nearest_rod(WAVE, Limits(ratio=1.5), weights=lambda s: np.where(s < 70, 50.0, 1.0))
-    first = [
-        np.hypot(*(n.rod.position[:60] - WAVE.sample(201).position[:60]).T).mean() for n in (plain, heavy)
-    ]
-    assert first[1] < first[0]
+    first = []
+    for weights in (None, lambda s: np.where(s < 70, 50.0, 1.0)):
+        rod = nearest_rod(WAVE, Limits(ratio=1.5), weights=weights).rod
+        away = rod.position[:60, None] - WAVE.sample(800).position
+        first.append(np.hypot(away[..., 0], away[..., 1]).min(axis=1).max())
+    assert first[1] < 0.5 * first[0]
 
 
 def test_what_binds_reports_the_slope():
     """The cost of the ratio is the derivative of the distance."""
-    near = nearest_rod(WAVE, Limits(ratio=2.0))
+    near = nearest_rod(WAVE, Limits(ratio=2.0), measure="mean")
     cost = next(b.cost for b in near.binding if b.name == "ratio")
-    a, b = (nearest_rod(WAVE, Limits(ratio=r)).mean_deviation for r in (1.95, 2.05))
+    a, b = (nearest_rod(WAVE, Limits(ratio=r), measure="mean").mean_deviation for r in (1.95, 2.05))
     assert cost == pytest.approx((a - b) / 0.1, rel=0.1)
 
 
@@ -371,7 +372,7 @@ def moved(curve, pole, by):
         (ARCH, {"limits": Limits(ratio=1.5, margin=5.0), "gravity": Gravity(200.0)}),
         (
             WAVE,
-            {"limits": Limits(ratio=2.0), "supports": Supports("pinned", "clamped"), "measure": "closest"},
+            {"limits": Limits(ratio=2.0), "supports": Supports("pinned", "clamped"), "measure": "mean"},
         ),
     ],
     ids=["ratio", "margin", "weight", "supports"],
@@ -381,8 +382,9 @@ def test_from_the_answer_before_a_small_move_comes_the_same_answer(curve, option
     after = moved(curve, 2, (1.0, 0.6))
     afresh, going_on = nearest_rod(after, **options), nearest_rod(after, start=before, **options)
     assert going_on.met
-    assert going_on.distance == pytest.approx(afresh.distance, rel=1e-4)
-    assert np.abs(going_on.rod.position - afresh.rod.position).max() < 2e-3 * after.length
+    # the largest distance is nearly the same for rods that differ between its farthest points
+    assert going_on.distance == pytest.approx(afresh.distance, rel=0.01)
+    assert np.abs(going_on.rod.position - afresh.rod.position).max() < 0.01 * after.length
 
 
 def test_a_wish_of_many_starts_goes_on_in_a_few_steps():
@@ -494,7 +496,7 @@ def test_a_weight_beyond_all_rods_is_reported_as_that(length):
 def test_a_coarse_curve_has_few_control_points_and_can_be_bent():
     wave = PlaneCurve.spline([(0, 0), (50, 110), (120, 90), (190, -100), (260, -80), (300, 0)])
     near = nearest_rod(wave, limits=Limits(ratio=6))
-    coarse = coarse_curve(near.rod, 20)
+    (coarse,) = coarse_curves(near.rod, [20])
     assert len(coarse.control_points) == 24 < len(near.curve.control_points)
     assert check_equilibrium(coarse).realizable
     assert np.abs(coarse.sample(50).position - near.curve.sample(50).position).max() < 0.01 * wave.length
