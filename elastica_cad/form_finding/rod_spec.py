@@ -12,6 +12,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import LaminateLayers
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.sections import PlainSection
+from elastica_cad.mechanics.sheets import Sheet
 
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
@@ -32,6 +33,8 @@ class RodSpec(RodRequest):
         Largest distance that smoothing may move the curve, mm: see `smooth_curve`.
     widths : PlainSection, optional
         Section with limits of its width, for a solid strip that carries loads.
+    sheet : Sheet, optional
+        Sheet of a strip whose outer fibres are at its faces, for refusals.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
     """
@@ -44,6 +47,7 @@ class RodSpec(RodRequest):
     weights: Weights = None
     measure: Measure = "max"
     coefficients: int | None = None
+    sheet: Sheet | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()

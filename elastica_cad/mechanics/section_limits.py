@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import SEEN_APART, numbers
-from elastica_cad.errors import InputError, note
+from elastica_cad.errors import InputError, Length, Refusal, note, rounded_down, rounded_up
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
 
 STRAIN_SLACK = SEEN_APART
@@ -114,6 +114,22 @@ def breaking_strain(sheet: Sheet) -> float | None:
         return strain
     # estimated breaking strain of wood and brittle plastics
     return 1.5 * sheet.max_strain if sheet.kind in BRITTLE else None
+
+
+def sharp_bend_message(sheet: Sheet, bend: float, at: float) -> Refusal | None:
+    """Return the message on a change of curvature `bend`, 1/mm, that the sheet does not allow `at` mm, or None."""
+    judged = judge_strain(sheet, bend * sheet.thickness / 2, at)
+    if judged.allowed:
+        return None
+    return note(
+        "The strip would break {s} from the start: its radius there is {radius}, but the sheet needs at "
+        "least {least}. Draw the curve {times:.2g} times as large, or use a thinner sheet."
+        if judged.refused else
+        "The strain exceeds its limit {s} from the start: the radius there is {radius}, but the sheet needs "
+        "at least {least}; {outcome}. Draw the curve {times:.2g} times as large, or use a thinner sheet.",
+        s=Length(at), radius=Length(rounded_down(1 / bend, 3)), least=Length(rounded_up(judged.used / bend, 3)),
+        times=rounded_up(judged.used, 2), outcome=note(judged.outcome), percent=judged.percent,
+    )  # fmt: skip
 
 
 def thinner_for(sheet: Sheet, strain: float) -> float | None:

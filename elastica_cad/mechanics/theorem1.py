@@ -427,10 +427,10 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
     KIND = "not realizable"
 
-    def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
+    def __init__(self, check: EquilibriumCheck | PairCheck, changes: Iterable[Change] = ()) -> None:
         self.check = check
-        changes = () if isinstance(check, PairCheck) else _changes_of(check.curve)
-        super().__init__(str(check), changes=changes)
+        own = () if isinstance(check, PairCheck) else _changes_of(check.curve)
+        super().__init__(str(check), changes=(*changes, *own))
         self.details = () if isinstance(check, PairCheck) else check.details
 
 

@@ -724,6 +724,7 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section_in_plane(share),
             widths=self._widths,
+            sheet=self.material if self.section is None and not isinstance(self.style, Laminated) else None,
         )
 
     @cached_property

@@ -236,10 +236,10 @@ def section_sketches_of(obj: Any) -> None:
 
 
 def _curve_to_drag(obj: Any) -> PlaneCurve:
-    curve, cost = find_nearest_to_drag(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
-    if cost:
-        report(cost, obj.Label)
-    return curve
+    found = find_nearest_to_drag(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+    if found.cost:
+        report(found.cost, obj.Label)
+    return found.curve
 
 
 def _cut_sources(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:

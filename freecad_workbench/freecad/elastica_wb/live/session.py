@@ -24,7 +24,7 @@ from freecad.elastica_wb.curves.sketch_curves import (
     read_line,
     sketch_curve,
 )
-from freecad.elastica_wb.features.strip_properties import nearest_spec_of, spec_of
+from freecad.elastica_wb.features.strip_properties import spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import sensor
 from freecad.elastica_wb.host.progress import begun
@@ -40,9 +40,9 @@ from freecad.elastica_wb.live.verdict_card import VerdictCard
 from freecad.elastica_wb.recording import record_call, recorded
 from freecad.elastica_wb.solving.strip_cache import (
     SEARCHING,
+    DraggableCurve,
     default_spec,
-    find_nearest_now,
-    find_nearest_to_drag,
+    nearest_to_drag,
     solve_strip,
 )
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict, refusal_answer, strip_answer
@@ -50,14 +50,9 @@ from freecad.elastica_wb.undo_steps import close_step, open_step
 from pivy import coin
 
 from elastica_cad._types import FloatArray
-from elastica_cad.defaults import CUTTABLE_RATIO
-from elastica_cad.errors import Length, note, sentences
-from elastica_cad.form_finding.limits import Limits
-from elastica_cad.form_finding.nearest_record import NearestRod
-from elastica_cad.form_finding.rod_spec import RodSpec
+from elastica_cad.errors import Change, Length, note, sentences
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.point_search import move_while_possible
-from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.strip.strip_spec import StripSpec
 
 # delay, ms, of slower results after the last mouse move
@@ -94,12 +89,11 @@ class Session:
         self.times: list[float] = []
         self.moves = 0
         self.sentence = ""
-        self.near: NearestRod | None = None
+        self.near: DraggableCurve | None = None
         self._placed, self._cost = NO_POLES, ""
         self._scale: float | None = None
         self._asks: StripSpec | None = None
         self._asks_along: dict[tuple[str, ...], StripSpec] = {}
-        self._allows: RodSpec | None = None
         self._curve: Any = None
         self._geometry: list[Any] | None = None
         self._sensor: Any = None
@@ -141,11 +135,7 @@ class Session:
         if self.near is None:
             return
         document = self.sketch.Document
-        try:
-            curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:
-            self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
-            return
+        curve, self._cost = self.near.curve, self.near.cost
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
@@ -334,7 +324,8 @@ class Session:
             return
         if self._asked is None or self._asked.done():
             self._asked_for = self._curve
-            self._asked = begun(find_nearest_now, replace(self._allows, curve=self._curve))
+            near = self._asks.with_change(Change("nearest", True)) or self._asks
+            self._asked = begun(nearest_to_drag, near.changed(curve=self._curve).rod_spec)
         self.card.offer(translate("Elastica", SEARCHING), usable=False)
         self._answer.start()
 
@@ -348,13 +339,13 @@ class Session:
         self.card.offer("")
         if self._asked.exception() is not None:
             return
-        near = self._asked.result()
-        message = note(near.status.value)
-        if near.met:
-            self.near = near
-            self.overlay.show_nearest(near.rod.position)
+        found = self._asked.result()
+        message = note(found.near.status.value)
+        if found.near.met:
+            self.near = found
+            self.overlay.show_nearest(found.curve.sample(SEEN).position)
             message = note(
-                "The nearest possible curve is {far} from the drawn curve.", far=Length(near.deviation)
+                "The nearest possible curve is {far} from the drawn curve.", far=Length(found.deviation)
             )
             self.card.offer(translate("Elastica", "Use the nearest curve"))
         self._show_answer(
@@ -364,11 +355,9 @@ class Session:
     def _spec(self) -> StripSpec:
         if self._asks is None:
             asks = default_spec(self._curve)
-            allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))
             for strip in sketches.followers(self.sketch):
-                curve = drawn_curve(strip.Curve, strip)
-                asks, allows = spec_of(strip, curve), nearest_spec_of(strip, curve)
-            self._asks, self._allows = asks, allows
+                asks = spec_of(strip, drawn_curve(strip.Curve, strip))
+            self._asks = asks
         return self._asks
 
     def _show_read(self, answer: Answer) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache, wraps
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 import Part
@@ -19,7 +19,8 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_called
 
 from elastica_cad.errors import ElasticaError, Length, NotConvergedError, note
-from elastica_cad.form_finding.editable_curve import coarse_curve
+from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
+from elastica_cad.form_finding.editable_curve import coarse_curves
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
@@ -155,56 +156,70 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
     return find_rod(spec)
 
 
-# factors by which limits are tightened, because a curve with few poles differs from its rod
-TIGHTER = (1.1, 1.25, 1.5)
+# factor by which limits are tightened, because a curve with few poles differs from its rod
+TIGHTER = 1.01
+# numbers of coefficients of the stiffness, tried in order: the curve of a rod with few of them needs few poles
+COEFFICIENTS, SPANS = (None, 14, 10, 6), (8, 12, 16, 20)
 # largest deviation with few poles: this multiple of the deviation with all poles, or this fraction of the
 # length, whichever is larger
 FARTHER, NEAR_FRACTION = 3, 0.01
-SPANS = (8, 12, 16, 20)
 
 
-def find_nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
-    """Return a nearest curve with few enough poles for dragging, and a message on its deviation.
+class DraggableCurve(NamedTuple):
+    """A nearest rod with its curve, whose distance from the drawn curve is `deviation`, mm, and a message on it."""
+
+    near: NearestRod
+    curve: PlaneCurve
+    deviation: float
+    cost: str
+
+
+def find_nearest_to_drag(spec: RodSpec) -> DraggableCurve:
+    """Return a nearest curve with few enough poles for dragging.
 
     If no such curve is within the limits, return the nearest curve with all poles.
     """
-    return in_background(SEARCHING, _nearest_to_drag, spec)
+    return in_background(SEARCHING, nearest_to_drag, spec)
 
 
 @remembered
-def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
+def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
+    """Do the work of `find_nearest_to_drag` in this thread, without a progress bar."""
     nearest = find_nearest_now(spec)
-    if not nearest.met or len(nearest.curve.control_points) <= MOST_DRAGGED:
-        return nearest.curve, ""
-    farthest = max(FARTHER * nearest.deviation, NEAR_FRACTION * spec.curve.length)
-    for factor in TIGHTER:
-        limits = spec.limits.tightened(curvature=factor, strain=factor)
-        near = find_rod(
-            replace(spec, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / factor)))
-        )
-        for spans in SPANS if near.met and near.deviation <= farthest else ():
-            with suppress(NotConvergedError):
-                curve = coarse_curve(near.rod, spans)
+    most = len(nearest.curve.control_points)
+    if not nearest.met or most <= MOST_DRAGGED:
+        return DraggableCurve(nearest, nearest.curve, nearest.deviation, "")
+    target, farthest = (
+        TargetCurve.of(spec.curve),
+        max(FARTHER * nearest.deviation, NEAR_FRACTION * spec.curve.length),
+    )
+    limits = spec.limits.tightened(curvature=TIGHTER, strain=TIGHTER)
+    limits = replace(limits, ratio=max(1.0, limits.largest_ratio / TIGHTER))
+    for coefficients in COEFFICIENTS:
+        near = find_rod(replace(spec, limits=limits, coefficients=coefficients))
+        with suppress(NotConvergedError):
+            for curve in coarse_curves(near.rod, SPANS) if near.met and near.deviation <= farthest else ():
                 if _is_within_limits(replace(spec, curve=curve)):
-                    return curve, note(
+                    far = measure_deviation(target, curve.sample(STEPS).position)
+                    return DraggableCurve(near, curve, far, note(
                         "The new curve has {count} poles and is {far} from the original curve. With {most} "
                         "poles, too many to drag, the distance would be {near}.",
-                        count=len(curve.control_points), far=Length(near.deviation),
-                        most=len(nearest.curve.control_points), near=Length(nearest.deviation),
-                    )  # fmt: skip
-    return nearest.curve, note(
+                        count=len(curve.control_points), far=Length(far), most=most,
+                        near=Length(nearest.deviation),
+                    ))  # fmt: skip
+    return DraggableCurve(nearest, nearest.curve, nearest.deviation, note(
         "The new curve has {count} poles, too many to drag by hand. With fewer poles the curve would exceed "
         "its limits.",
-        count=len(nearest.curve.control_points),
-    )
+        count=most,
+    ))  # fmt: skip
 
 
 def _is_within_limits(spec: RodSpec) -> bool:
-    most, ratio = spec.limits.largest_curvature, spec.limits.ratio
+    most, ratio = spec.limits.largest_curvature, spec.limits.largest_ratio
     if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (1 + STRAIN_SLACK):
         return False
     try:
-        if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
+        if find_rod(replace(spec, limits=None, keep=None)).ratio > ratio * (1 + STRAIN_SLACK):
             return False
         again = find_rod(spec)
     except ElasticaError:

@@ -20,13 +20,11 @@ from elastica_cad.errors import (
     Span,
     StrainError,
     note,
-    rounded_down,
-    rounded_up,
     sentences,
 )
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
+from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain, sharp_bend_message
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -211,15 +209,9 @@ def _undecided(check: EquilibriumCheck) -> Answer:
 def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fault | None:
     sheet = spec.material
     bend, place = sharpest_bend(curve, spec.natural_curvature, samples)
-    judged = judge_strain(sheet, bend * sheet.thickness / 2, place)
-    if judged.allowed:
+    message = sharp_bend_message(sheet, bend, place)
+    if message is None:
         return None
-    words = note(
-        "The strip would break {s} from the start: its radius there is {radius}, but the sheet needs "
-        "at least {least}. Use a thinner sheet or a gentler curve." if judged.refused else
-        "The strain exceeds its limit {s} from the start: the radius there is {radius}, but the "
-        "sheet needs at least {least}; {outcome}. Use a thinner sheet or a gentler curve.",
-        s=Length(place), radius=Length(rounded_down(1 / bend, 3)),
-        least=Length(rounded_up(judged.used / bend, 3)), outcome=note(judged.outcome),
-    )  # fmt: skip
-    return Fault(strain_words(judged), words, "LargestStrain")
+    return Fault(
+        strain_words(judge_strain(sheet, bend * sheet.thickness / 2, place)), message, "LargestStrain"
+    )
