@@ -421,7 +421,7 @@ def holding_template(strip: Strip) -> Drawing:
     ]
     # name, its width in letter heights, and its middle
     names = [
-        (mark, 0.5 * len(mark), end.tip + 0.5 * (1 + len(mark)) * LETTERS_MM * end.outward)
+        (mark, 0.5 * len(mark), end.tip + LETTERS_MM * end.outward * (0.5 * (1 + len(mark)), 1.0))
         for mark, end in zip(marks, ends, strict=True)
     ]
     for held in elements:
