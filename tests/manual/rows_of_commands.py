@@ -101,7 +101,7 @@ def _curves(row, folder):
         for option in quoted(row[1]):
             made = ("strip", "s.svg", "--sheet", "pom-0.5", "--max-width", "30", *QUICK)
             assert "split the curve into" in typed(
-                folder, *made, *option.split(), "-o", option.replace(" ", "")
+                folder, *made, *option.split(), "-o", f"out{option[7:].strip()}"
             )
     elif row[0].startswith("several curves, and"):
         typed(folder, "strip", "three.svg", *PLY, "--ignore-limits", *quoted(row[1]), "-o", "out")
