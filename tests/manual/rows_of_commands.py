@@ -100,7 +100,7 @@ def _curves(row, folder):
     elif row[0].startswith("a curve that needs"):
         for option in quoted(row[1]):
             made = ("strip", "s.svg", "--sheet", "pom-0.5", "--max-width", "30", *QUICK)
-            assert "split the curve into" in typed(
+            assert " the curve into " in typed(
                 folder, *made, *option.split(), "-o", f"out{option[7:].strip()}"
             )
     elif row[0].startswith("several curves, and"):
