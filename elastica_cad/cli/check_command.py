@@ -13,7 +13,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad.cli.element_options import ELEMENTS, element_options, elements_of
-from elastica_cad.cli.options import smooth_option
+from elastica_cad.cli.options import LENGTH, refuse_idle, requested_sheet, sheet_options, smooth_option
 from elastica_cad.cli.requested_curves import (
     RequestedCurve,
     curve_options,
@@ -25,10 +25,8 @@ from elastica_cad.cli.requested_curves import (
 )
 from elastica_cad.cli.suggestions import (
     LOOKING,
-    MOST_REFUSALS,
     Cure,
     cures_of,
-    listing_note,
     suggest_later,
     typed_length,
 )
@@ -39,7 +37,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError, Length, Refus
 from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.form_finding.straight_ends import StraightEnds
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports
 from elastica_cad.mechanics.rod import Rod
@@ -69,6 +67,13 @@ WIDE_MM = 40.0
 @support_options
 @element_options(ELEMENTS)
 @smooth_option
+@sheet_options(required=False, use="Material to check, and to use in suggested changes")
+@click.option(
+    "--max-width",
+    type=LENGTH,
+    metavar="MM",
+    help="Largest width in suggested changes  [default: a twelfth of the length, from 8 to 120 mm]",
+)
 @click.option(
     "--picture",
     type=click.Path(path_type=Path),
@@ -91,7 +96,7 @@ def check(
     smooth: float | None,
     picture: Path | None,
     force: bool,
-    **elements: Any,
+    **others: Any,
 ) -> None:
     """Check whether flat strips can be bent into the curves in CURVE.
 
@@ -99,12 +104,19 @@ def check(
     there. Rails, pins and ties (--rail 200) make more curves possible. Every curve is checked separately. Exit code
     1 if a curve is impossible for strips or undecided because of its points; 2 if a curve is not open and smooth.
     """
-    requested = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
+    requested = requested_curves(
+        curve, unit, number, layer, every=True, split=split_at_corners if split_corners else None
+    )
     bent, several = natural_curvature_of(natural_curvature), len(requested) > 1
-    between = elements_of(elements, ELEMENTS)
+    between = elements_of(others, ELEMENTS)
     supports = require_supports(Supports(start, end), between=bool(between))
-    checks = [_Check(drawn, supports, bent, smooth, not several, between) for drawn in requested]
-    of_file, worst, bad = list(voice().notes), 0, 0
+    refuse_idle({"thickness": ("sheet",)})
+    sheet = requested_sheet(others) if others["sheet"] else None
+    checks = [
+        _Check(drawn, supports, bent, smooth, not several, between, sheet, others["max_width"])
+        for drawn in requested
+    ]
+    of_file, worst = list(voice().notes), 0
     answers: list[PlainData] = []
     if picture is not None:
         if several:
@@ -122,8 +134,7 @@ def check(
         judged, reports, codes = zip(*alike, strict=True)
         first, last, answered = judged[0].requested, judged[-1].requested, reports[-1]
         if "problem" in answered:
-            bad += len(judged)
-            warn(answered["advice"], printed=bad <= MOST_REFUSALS)
+            warn(answered["advice"])
         else:
             if max(first.count, len(requested)) > 1:
                 which = (
@@ -142,8 +153,6 @@ def check(
             say_rows(Row("Change", larger))
         worst = max(worst, *codes)
         answers.extend(reports)
-    if bad > MOST_REFUSALS:
-        warn(f"{bad} of {len(requested)} curves have faults and cannot be checked{listing_note(bad)}.")
     answer([report | {"notes": [*of_file, *report.get("notes", ())]} for report in answers])
     if worst:
         ctx.exit(worst)
@@ -154,6 +163,7 @@ class _Check:
     """A curve to check, with its options. `smooth` is the largest movement by smoothing, mm.
 
     `alone` is True if the command checks only this curve; an error of the curve is then an error of the command.
+    Without `sheet` and `max_width`, suggested changes are tested with a usual sheet and width.
     """
 
     requested: RequestedCurve
@@ -162,6 +172,8 @@ class _Check:
     smooth: float | None
     alone: bool
     between: tuple[Rail | Pin | Tie, ...]
+    sheet: Sheet | None
+    max_width: float | None
 
     @cached_property
     def ends(self) -> StraightEnds:
@@ -224,7 +236,8 @@ class _Check:
         of_ends = [self.ends.message] if self.ends else []
         report["notes"] = [*outcome, *verdict.details, *of_ends, *of_curve]
         if verdict.realizable:
-            report |= _report_on_sheets(smoothing.curve, self.rod.ratio, self.natural_curvature)
+            tried = None if self.sheet is None else [self.sheet]
+            report |= _report_on_sheets(smoothing.curve, self.rod.ratio, self.natural_curvature, tried)
             report |= _report_on_elements(self.rod) if self.between else {}
         return report
 
@@ -250,13 +263,26 @@ class _Check:
         settled = self.natural_curvature or self.smooth is not None
         if settled or not problem.refusal.changes:
             return None
-        return common_request(self.requested.curve, self.supports, between=self.between)
+        return common_request(
+            self.requested.curve,
+            self.supports,
+            between=self.between,
+            sheet=self.sheet,
+            max_width=self.max_width,
+        )
 
     def cures(self) -> list[Cure]:
         problem = NotRealizable(self.verdict)
         spec = self.request(problem)
+        if spec is None:
+            return []
         say_step(LOOKING)
-        return [] if spec is None else cures_of(spec, problem, self.typed)
+        return cures_of(spec, problem, self.typed, assumed=" ".join(self._assumed(spec)))
+
+    def _assumed(self, spec: "StripSpec") -> list[str]:
+        """Return the options of sheet and width that the user has not set, as words of a command line."""
+        sheet = [] if self.sheet else ["--sheet", spec.material.name]
+        return sheet + ([] if self.max_width else ["--max-width", typed_length(cast(float, spec.max_width))])
 
     def enlarging(self, report: PlainData) -> str:
         """Return how to enlarge a curve that is too tight for all sheets, after a test, or ""."""
@@ -285,9 +311,7 @@ class _Check:
         """Return the command that makes the strip with a suggested change."""
         from elastica_cad.cli.strip_options import typed_change
 
-        spec = suggestion.requests[0]
-        width = typed_length(cast(float, spec.max_width))
-        words = "--sheet", spec.material.name, "--max-width", width
+        words = self._assumed(suggestion.requests[0])
         folders = chain(["out"], (f"out-{k}" for k in count(2)))
         unused = next(name for name in folders if not Path(name).exists())
         change = typed_change(suggestion, *words, "-o", unused, instead="strip")
@@ -398,8 +422,10 @@ def _stability_row(report: PlainData) -> Row:
     )  # fmt: skip
 
 
-def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> PlainData:
-    scaled_sheets = sheets_for_curve(curve, natural_curvature)
+def _report_on_sheets(
+    curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature, tried: Sequence[Sheet] | None
+) -> PlainData:
+    scaled_sheets = sheets_for_curve(curve, natural_curvature, tried)
     sheets = [{"name": sheet.sheet.name, "scale": sheet.scale} for sheet in scaled_sheets]
     question = unit_question(scaled_sheets[0].scale, curve.length)
     return {

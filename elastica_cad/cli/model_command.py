@@ -34,7 +34,7 @@ from elastica_cad.files import read_curves, read_surface
 from elastica_cad.form_finding.nearest_record import Status
 from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.kit.kit import Kit, left_out
-from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
+from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents, require_sizes
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
@@ -123,6 +123,7 @@ def model(
             say_step(f"writing {in_writing_order(kit.files)[number].name}", number + 1, total)
 
     try:
+        require_sizes(requested.entries, requested.kit)
         result = requested.model(
             lambda label: say_step(f"made strip {label}", next(strips), len(requested.entries))
         )

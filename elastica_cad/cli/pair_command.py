@@ -30,6 +30,7 @@ from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import require_file
+from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.sheets import Sheet
@@ -156,7 +157,7 @@ def _curves(chosen: Chosen) -> tuple[RequestedCurve, RequestedCurve]:
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
         # both curves may be drawn as one curve with a corner
-        curves = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
+        curves = requested_curves(path, unit, None, None, every=True, split=split_at_corners, corners=False)
         if len(curves) != 2:
             raise InputError(
                 "A part with two states needs two curves, but {path} has {count}. Choose two curves with "

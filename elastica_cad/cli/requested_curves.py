@@ -157,13 +157,13 @@ def requested_curves(
     layer: str | None,
     *,
     every: bool = False,
-    split: bool = False,
+    split: Callable[[PlaneCurve], Sequence[PlaneCurve]] | None = None,
     corners: bool = True,
     how: str = CHOICE,
 ) -> tuple[RequestedCurve, ...]:
     """Return the curve selected by number, id or layer.
 
-    With `every`, several curves may be selected. With `split`, curves are divided at corners. Without
+    With `every`, several curves may be selected. `split` is a function that divides each curve. Without
     `corners`, curves that meet at a corner are not joined. `how` names, in messages, the options that select
     a single curve.
     """
@@ -173,26 +173,23 @@ def requested_curves(
     # names are unique among the selected curves for output files, and in the drawing for saved designs
     in_files = _names_by_number(selected)
     in_drawing = _names_by_number(drawing.curves) if len(drawing) > 1 else {}
-    pieces = [piece for whole in selected for piece in (whole.split_at_corners() if split else (whole,))]
+    pieces = [piece for whole in selected for piece in (whole.split(split) if split else (whole,))]
     words = []
     for piece in pieces:
         which = (in_files[piece.number][0] or str(piece.number)) if every else number
-        words.append([path.stem, *([which] if which else []), *_number_of(piece)])
-    stems = distinct("-".join(map(file_word, parts)) for parts in words)
+        words.append([path.stem, *([which] if which else [])])
+    stems = distinct(
+        "-".join(map(file_word, parts)) + piece.suffix for parts, piece in zip(words, pieces, strict=True)
+    )
     curves = []
     for piece, parts, stem in zip(pieces, words, stems, strict=True):
         own, alone = in_drawing.get(piece.number, ("", False))
-        name = plain_name("-".join([own, *_number_of(piece)] if own else parts))
+        name = plain_name((own or "-".join(parts)) + piece.suffix)
         # `StripSpec.label` declares 200 as the largest number of characters
         label = "".join(sign if sign.isprintable() else "_" for sign in name)[:200]
         which_options = ("--curve", str(piece.number)) if several else ()
         curves.append(RequestedCurve(path, piece, len(drawing), stem, label, which_options, unit, own, alone))
     return tuple(curves)
-
-
-def _number_of(piece: DrawnCurve) -> list[str]:
-    # the number of a piece of a split curve, as the last word of its name
-    return [str(piece.piece)] if piece.pieces > 1 else []
 
 
 def drawn_curves(
@@ -223,14 +220,17 @@ def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]
 
     A name of several curves is followed by the number. A curve that the user did not name has the name "".
     """
-    counts = Counter(file_word(curve.name).casefold() for curve in curves)
+    # the name of an unnamed DXF shape, such as SPLINE 2F, ends with its handle
+    shown = [
+        curve.chosen_name or ("" if curve.id and curve.name.endswith(f" {curve.id}") else curve.name)
+        for curve in curves
+    ]
+    counts = Counter(file_word(name).casefold() for name in shown)
     names = {}
-    for curve in curves:
-        alone = counts[file_word(curve.name).casefold()] == 1
-        # the name of an unnamed DXF shape, such as SPLINE 2F, ends with its handle
-        handle = curve.id and curve.name.endswith(f" {curve.id}")
-        has_name = not handle and re.match(r"_|[^\W\d]", curve.name) is not None
-        text = (curve.name if alone else f"{curve.name}-{curve.number}") if has_name else ""
+    for curve, name in zip(curves, shown, strict=True):
+        alone = counts[file_word(name).casefold()] == 1
+        has_name = re.match(r"_|[^\W\d]", name) is not None
+        text = (name if alone else f"{name}-{curve.number}") if has_name else ""
         names[curve.number] = text, has_name and alone
     return names
 

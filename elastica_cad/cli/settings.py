@@ -68,7 +68,8 @@ class BentKeys(StripKeys):
     """Options of `elastica bend` that describe the strip."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = (
-        "count", "let", "sections", "curve", "origin", "x_axis", "y_axis", "label", "engrave", "creep", "tolerance",
+        "count", "let", "sections", "split", "curve", "origin", "x_axis", "y_axis", "label", "engrave", "creep",
+        "tolerance",
     )  # fmt: skip
 
 

@@ -1,6 +1,5 @@
 """`elastica strip`: make the strip for a drawn curve, and write its files for a laser cutter."""
 
-import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -18,7 +17,7 @@ from elastica_cad.cli.requested_curves import (
     read_curves_with_note,
     requested_curves,
 )
-from elastica_cad.cli.settings import FileKeys
+from elastica_cad.cli.settings import CommandKeys, FileKeys
 from elastica_cad.cli.strip_options import (
     grouped,
     nearest_curve_line,
@@ -29,17 +28,15 @@ from elastica_cad.cli.strip_options import (
     typed_in_two_steps,
 )
 from elastica_cad.cli.suggestions import (
-    MOST_REFUSALS,
-    listing_note,
     suggest_later,
     typed_length,
 )
 from elastica_cad.cli.voice import answer, cut_text, exit_code, say, say_rows, say_step, voice, warn, wrote
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.kit_spec import Cutting
-from elastica_cad.design.records import Reader
+from elastica_cad.design.records import Reader, require_keys
 from elastica_cad.design.reports import pre_bend_message
-from elastica_cad.design.strip_table import PLANE
+from elastica_cad.design.strip_table import PLANE, clamped_at, split_curve
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import seen_from, toml_text
 from elastica_cad.errors import (
@@ -54,6 +51,7 @@ from elastica_cad.errors import (
 )
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.write_files import check_folder, text_file, write_files
+from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.elements import Pin
@@ -64,12 +62,10 @@ from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.lettering import engraved_names
 from elastica_cad.strip.makeable_strip import compensate_within
+from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import try_change
 from elastica_cad.strip.summary import NEAREST_SUPPORT, not_computed_row, size_row, strip_rows
-
-MOST_NAMES = 3
-"""Largest number of cutting files whose names are printed, if the command makes several strips."""
 
 
 def _files(chosen: Chosen, table: Mapping[str, Any]) -> StripFiles:
@@ -114,13 +110,24 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """
     table = table_of(chosen)
     files, which = _files(chosen, table), table.get("curve", {})
+    read_once = cache(read_curves_with_note)  # all strips may have the same natural curvature
+    splits: list[dict[str, Any]] = []
+
+    def divide(curve: PlaneCurve) -> Sequence[PlaneCurve]:
+        say_step("splitting the curve")
+        require_keys(CommandKeys, keys := Table(table, "", {}))
+        found = split_curve(keys, spec_from_options(curve, "", table, read_once))
+        splits.append({"supports": found.supports, "ranges": found.ranges, "ratios": found.ratios})
+        say_rows(Row("Split", str(found)))
+        return found.pieces
+
     curves = requested_curves(
         chosen["curve"],
         chosen["unit"],
         chosen["number"],
         which.get("layer"),
         every=chosen["every"],
-        split=which.get("split_corners", False),
+        split=divide if "split" in table else split_at_corners if which.get("split_corners") else None,
         how="--curve 1 .. --curve {count} or --curve ID, or all with --all",
     )
     if design := chosen["save_design"]:
@@ -128,13 +135,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         if design.resolve() in (output, *output.parents):
             raise InputError("{path} is a folder: give the name of a file in it", path=design)
         check_folder(design.parent, [design.name], force=chosen["force"])
-    # `refused` counts curves without a strip, and `wrong` also strips with too large a strain
-    reports, solved, wrong, refused, worst = [], list[RequestedCurve](), 0, 0, NOT_REALIZABLE
+    # `wrong` counts curves without a strip, and strips with too large a strain
+    reports, solved, wrong, worst = [], list[RequestedCurve](), 0, NOT_REALIZABLE
     # labels of strips and their warnings, by the template of the warning
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
     brief = len(curves) > 1 and not voice().verbose
-    read_once = cache(read_curves_with_note)  # all strips may have the same natural curvature
     engraved = engraved_names(requested.label for requested in curves)
     for requested in curves:
         try:
@@ -145,10 +151,16 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     ["nearest_curve", "max_width"],
                 )
             spec = spec_from_options(requested.curve, requested.label, table, read_once)
+            if "label" in table:
+                spec = spec.changed(label=f"{spec.label}{requested.drawn.suffix}")
+            if splits:
+                spec = clamped_at(requested.drawn.joints, spec)
             if spec.engrave is None and spec.label == requested.label != engraved[spec.label]:
                 spec = spec.changed(engrave=engraved[spec.label])
             if len(curves) == 1:
-                suggest_later(partial(_refused_request, spec, requested, chosen), typed_change)
+                suggest_later(partial(_refused_request, spec), typed_change)
+            spec.require_size()
+            _require_files(requested, chosen, files.cutting, spec)
             result = _solve(requested, spec, unmarked=files.cutting.service)
             say_step(f"writing the files of {requested.name}")
             kit = result.kit(files)
@@ -159,12 +171,6 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     "design, such as {other}.",
                     design=design,
                     other=design.with_name("design.toml"),
-                )
-            if any(os.path.exists(path) and path.samefile(requested.path) for path in places):
-                raise InputError(
-                    "{kept} contains the drawn curve and is not overwritten. Choose another folder, such as "
-                    "-o out.",
-                    kept=requested.path,
                 )
             if shared := sorted({*map(str, places)} & {*voice().files}):
                 raise InputError(
@@ -189,19 +195,18 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     warn(outlier)
             if len(curves) == 1 and not chosen["every"]:
                 raise
-            wrong, refused, worst = wrong + 1, refused + 1, max(worst, exit_code(problem))
+            wrong, worst = wrong + 1, max(worst, exit_code(problem))
             called, message = requested.drawn.called, str(problem)
-            warn(message if called in message else f"{called}: {message}", printed=refused <= MOST_REFUSALS)
-    answer({"strips": reports})
+            warn(message if called in message else f"{called}: {message}")
+    answer({"strips": reports, "splits": splits})
     for (label, row), *others in alike.values():
         more = (
             f" The same holds for {Listed(name for name, _ in others)}, with other numbers." if others else ""
         )
         say_rows(replace(row, text=f"{label}: {row.text}{more}"))
     if brief:
-        cut = Listed(f"{requested.name}.dxf" for requested in solved[:MOST_NAMES])
-        more = ", ..." if solved[MOST_NAMES:] else ""
-        marked = f" (cut: {cut}{more})" if solved else ""
+        cut = Listed(f"{requested.name}.dxf" for requested in solved)
+        marked = f" (cut: {cut})" if solved else ""
         say_rows(Row("Files", f"{len(voice().files)} in {chosen['output']}{marked}"))
     if design and solved:
         wrote([_save_design(design, solved, table, force=chosen["force"])])
@@ -212,10 +217,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         say(*left_out(step=files.step, pictures=files.pictures))
     if wrong:
         if len(curves) > 1:
-            less = f"; {design} leaves them out" if refused and design else ""
-            warn(
-                f"{wrong} of {len(curves)} curves cannot be made with these options{listing_note(refused)}{less}."
-            )
+            less = f"; {design} leaves them out" if design and solved != list(curves) else ""
+            warn(f"{wrong} of {len(curves)} curves cannot be made with these options{less}.")
         ctx.exit(worst)
 
 
@@ -223,17 +226,18 @@ def _save_design(
     path: Path, curves: Sequence[RequestedCurve], table: Mapping[str, Any], *, force: bool
 ) -> Path:
     """Write a design file with the strips of a command, and return its path."""
-    shared = {
-        key: value for key, value in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
-    }
-    own_keys = {key: value for key, value in table.items() if key in ("slots", *PLANE)}
+    own = ("slots", "split", *PLANE)
+    shared = {key: value for key, value in table.items() if key not in ("curve", "files", "label", *own)}
+    own_keys = {key: value for key, value in table.items() if key in own}
+    # the pieces of a split curve are strips of one table
+    tables = {requested.drawn.number if "split" in table else requested: requested for requested in curves}
     strips = [
         {
-            "label": table.get("label", requested.label),
+            "label": table.get("label", requested.label.removesuffix(requested.drawn.suffix)),
             "curve": _curve_keys(requested, path.parent),
             **own_keys,
         }
-        for requested in curves
+        for requested in tables.values()
     ]
     text = toml_text({"schema": 1, **shared, "strips": strips})
     write_files([text_file(path.name, text)], path.parent, force=force)
@@ -253,8 +257,8 @@ def _solve(requested: RequestedCurve, spec: StripSpec, *, unmarked: bool) -> Str
         _ = requested.bendable(spec.smooth)
     rod = solve_rod(spec.rod_spec)
     strip = spec.make(rod)
-    strip = replace(strip, unmarked=True) if unmarked else strip
-    return StripResult(spec, rod, strip, requested.name, requested.drawn.joints)
+    strip = replace(strip, unmarked=unmarked, joints=requested.drawn.joints)
+    return StripResult(spec, rod, strip, requested.name)
 
 
 def _nearest_request(
@@ -267,23 +271,22 @@ def _nearest_request(
     return spec_from_options(requested.curve, requested.label, without)
 
 
-def _refused_request(
-    spec: StripSpec, requested: RequestedCurve, chosen: Chosen, problem: ElasticaError
-) -> StripSpec | None:
-    return spec if problem.refusal.changes and not _is_output_occupied(requested, chosen) else None
+def _refused_request(spec: StripSpec, problem: ElasticaError) -> StripSpec | None:
+    return spec if problem.refusal.changes else None
 
 
-def _is_output_occupied(requested: RequestedCurve, chosen: Chosen) -> bool:
-    """Return True if files of a strip would overwrite other files, or the drawing itself."""
+def _require_files(requested: RequestedCurve, chosen: Chosen, cutting: Cutting, spec: StripSpec) -> None:
+    """Raise InputError, before the strip is made, for files that cannot be written or cut."""
     folder: Path = chosen["output"]
-    parent_folder = next(
-        parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists()
-    )
-    if not parent_folder.is_dir():
-        return True
-    names = [folder / f"{requested.name}.{kind}" for kind in ("dxf", "svg", "json", "png", "step")]
-    names = [name for name in names if name.exists()]
-    return any(name.samefile(requested.path) for name in names) or bool(names and not chosen["force"])
+    names = [f"{requested.name}.json", *(cutting.file_name(requested.name, kind) for kind in ("dxf", "svg"))]
+    places = [folder / name for name in (*names, f"{requested.name}.step")]
+    if any(place.exists() and place.samefile(requested.path) for place in places):
+        raise InputError(
+            "{kept} contains the drawn curve and is not overwritten. Choose another folder, such as -o out.",
+            kept=requested.path,
+        )
+    check_folder(folder, names, force=chosen["force"])
+    cutting.options(spec.material)
 
 
 def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
@@ -331,6 +334,11 @@ def _stable_rows(result: StripResult, requested: RequestedCurve) -> Iterator[Row
         yield Row("Change", f"use {options} for the nearest stable curve")
 
 
+def _joined(strip: Strip) -> str:
+    joints = [*filter(None, strip.joints)]
+    return f"joined at {Listed(joints)}" if joints else ""
+
+
 def _report_briefly(
     result: StripResult,
     requested: RequestedCurve,
@@ -347,7 +355,8 @@ def _report_briefly(
             alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
     moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
     label = f"{strip.number} = {strip.label}" if strip.number else strip.label
-    say_rows(Row(label, f"{size_row(strip).text}{moved}"), *_stable_rows(result, requested))
+    text = "; ".join(filter(None, [f"{size_row(strip).text}{moved}", _joined(strip)]))
+    say_rows(Row(label, text), *_stable_rows(result, requested))
     voice().files += map(str, written)
 
 
@@ -374,13 +383,7 @@ def _report(
 ) -> None:
     """Print the rows on a strip, and its files. `several` is True if the command makes several strips."""
     strip, tabs = result.strip, result.spec.tabs_message
-    joined = [
-        f"It {end} at corner {joint} of the curve, where another strip has an end"
-        f"{'.' if cutting.service else ' with the same number.'}"
-        for joint, end in zip(result.joints, ("starts", "ends"), strict=True)
-        if joint
-    ]
-    ends = [Row("Ends", text) for text in (pre_bend_message(strip), tabs, *joined) if text]
+    ends = [Row("Ends", text) for text in (pre_bend_message(strip), tabs, _joined(strip)) if text]
     other = [
         _support_row(result) if row is NEAREST_SUPPORT else row
         for row in (*_rows(result), *_stable_rows(result, requested))

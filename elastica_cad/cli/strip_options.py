@@ -149,7 +149,7 @@ _OWN_OPTIONS = {
     "style": "style", "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends",
     "keep.ends": "keep_ends", "keep.tangents": "keep_tangents", "supports": "start", "ends": "tab",
     "gravity": "gravity", "between": "rail",
-    "natural_curvature": "natural_curvature",
+    "natural_curvature": "natural_curvature", "split": "split",
 }  # fmt: skip
 """Options written by hand, by the path of the key that they set. These keys have no generated option."""
 
@@ -175,6 +175,9 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
         unit_option,
         number_option,
         click.option("--all", "every", is_flag=True, help="Make a separate strip of every curve of the file."),
+        click.option("--split", is_flag=False, flag_value="fewest", metavar="[N]",
+                     callback=lambda _, __, text: int(text) if text and text.isdecimal() else text,
+                     help="Split the curve into N strips that meet at clamps; without N, into the fewest."),
         click.option("--natural-curvature", type=Blank(), metavar="1/MM|KEYS|FILE",
                      help="Curvature of the strip before bending; variable as 'stations = [0, 300], "
                           "curvatures = [0, 0.01]', or a drawing of the pre-bent strip  [default: 0]"),
@@ -270,7 +273,7 @@ def table_of(chosen: Chosen) -> dict[str, Any]:
         table["gravity"] = gravity
     if chosen["start"] or chosen["end"]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
-    table |= given_of(chosen, ["natural_curvature"]) | element_table(chosen)
+    table |= given_of(chosen, ["natural_curvature", "split"]) | element_table(chosen)
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
     if elements_of(chosen, LOADS):
         table.setdefault("gravity", gravity)

@@ -49,10 +49,6 @@ def refuse_extra_words(words: Sequence[str]) -> None:
     raise InputError("{word} is an extra argument. {advice}", word=quoted(word), advice=advice)
 
 
-MOST_REFUSALS = 7
-"""Largest number of refused curves of a file that have their messages printed."""
-
-
 def typed_line(
     *added: str, instead: str | None = None, without: Collection[str] = (), curve: Path | None = None
 ) -> str:
@@ -110,13 +106,6 @@ def typed_length(mm: float) -> str:
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
 
 
-def listing_note(refused: int) -> str:
-    """Return a sentence on how many refused curves have messages, or "" if all have."""
-    if refused <= MOST_REFUSALS:
-        return ""
-    return f"; the first {MOST_REFUSALS} are listed, all with -v"
-
-
 Cure: TypeAlias = dict[str, Any]
 """Suggested change in a report: the keys of `Suggestion.as_dict`, and the printed text."""
 
@@ -155,8 +144,12 @@ def cures_of(
     problem: ElasticaError,
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
+    assumed: str = "",
 ) -> list[Cure]:
-    """Return changes of options that make the strip possible. Ctrl-C ends the search for changes."""
+    """Return changes of options that make the strip possible. Ctrl-C ends the search for changes.
+
+    `assumed` names values of `spec` that the user did not set.
+    """
     from elastica_cad.mechanics.trials import not_tried
     from elastica_cad.strip.suggestions import suggest
 
@@ -170,5 +163,6 @@ def cures_of(
             text = f"{title.rstrip('.')} ({suggestion.effect}){command}."
             cures.append(suggestion.as_dict() | {"text": text})
         if not (cures or reason):
-            warn("No change that was tried makes the strip possible.", in_notes=False)
+            more = f", with {assumed} assumed" if assumed else ""
+            warn(f"No change that was tried makes the strip possible{more}.", in_notes=False)
     return cures

@@ -84,7 +84,7 @@ class Voice:
         _clear_step()
         cures: list[dict[str, Any]] = []
         say_error(text, problem.details if self.verbose else ())
-        with suppress(KeyboardInterrupt):
+        with suppress(KeyboardInterrupt), progress_shown():
             cures = [] if self.quiet else suggest()
         for cure in cures:
             _print_row(Row("Change", cure["text"]), err=True)
@@ -132,14 +132,11 @@ def say(*lines: str) -> None:
         echo(line)
 
 
-def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
-    """Print a warning to stderr. With `in_notes`, it is added to the notes of the JSON record.
-
-    Without `printed`, the warning is printed only with -v.
-    """
+def warn(text: str, *, in_notes: bool = True) -> None:
+    """Print a warning to stderr. With `in_notes`, it is added to the notes of the JSON record."""
     if in_notes:
         voice().notes.append(text)
-    if not voice().quiet and (printed or voice().verbose):
+    if not voice().quiet:
         _clear_step()
         echo(text, err=True)
 

@@ -22,7 +22,7 @@ from elastica_cad.declared import Record, require_bounds
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.design.model_tables import HOLDERS, PATTERNS, DesignKeys, read_kit, share_keys
 from elastica_cad.design.records import CurveReader, Reader, fields_of, names_of, require_keys
-from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip
+from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip, split_curve, split_entry
 from elastica_cad.design.tables import Slips, Table, merged, with_present_keys
 from elastica_cad.errors import (
     ElasticaError,
@@ -135,7 +135,11 @@ class Design:
                     (failed if entry.section else refused).append(problem)
                     continue
             strip = replace(
-                strips[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots
+                strips[key],
+                label=entry.label,
+                engrave=entry.spec.engrave,
+                slots=entry.spec.slots,
+                joints=entry.joints,
             )
             if not strip.slots:
                 strip.cut_as(strips[key])
@@ -143,7 +147,7 @@ class Design:
             if done is not None:
                 done(entry.label)
         if refused:
-            raise _merged_error(refused)
+            raise merged_error(refused)
         plates: tuple[Ring | Rib, ...] = ()
         notes: tuple[str, ...] = ()
         if self.revolution is not None:
@@ -366,7 +370,13 @@ def _read_strips(
                 strip_table.scope = strip_table.within(table.data.get("let", {}))
                 label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
                 strip_table.where = f"{where} ({label if label.isprintable() else quoted(label)})"
-                entries.append(read_strip(strip_table, label, reader, section))
+                entry = read_strip(strip_table, label, reader, section)
+                if not table.has("split"):
+                    entries.append(entry)
+                    continue
+                divided = split_curve(strip_table, entry.spec)
+                entries += split_entry(entry, divided.pieces)
+                reports.append(note("{label}: {divided}", label=label, divided=str(divided)))
             except InputError as problem:
                 if section is None:
                     slips.add(str(problem), strip_table.where)
@@ -440,7 +450,7 @@ def _comparison_key(entry: StripEntry) -> Any:
     return digits.tobytes(), value_key([*values, spec.compensate and spec.slots])
 
 
-def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
+def merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
     """Return one error with the texts of all."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:

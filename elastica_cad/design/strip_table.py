@@ -1,8 +1,8 @@
 """The table of a design file for a strip: its curve, its position in space, and its request."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias
 
 from elastica_cad._types import Triple
 from elastica_cad._values import require_positive
@@ -12,8 +12,11 @@ from elastica_cad.design.records import Reader, fields_of, names_of
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.limits import Keep, Limits
+from elastica_cad.form_finding.splitting import Splitting, split
+from elastica_cad.formats.drawn_file import DrawnCurve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import End, Supports
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.strip_spec import DOWN, StripSpec
 
@@ -62,6 +65,15 @@ class StripKeys(SharedKeys):
     WITHOUT: ClassVar[tuple[str, ...]] = ()
     length: CurveLength = None
     count: Annotated[int, Option("Number of strips, i = 1, 2, ...", least=1)] = 1
+    split: Annotated[
+        int | Literal["fewest"] | None,
+        Option(
+            "Number of strips into which the curve is split. They are clamped where they meet.",
+            least=1,
+            group="curve",
+            replaces=("slots", "between", "loads", "natural_curvature", "seam_position"),
+        ),
+    ] = None
     let: Annotated[dict[str, float] | None, Option("Names for formulae of this strip.")] = None
     sections: Annotated[
         Any,
@@ -102,12 +114,15 @@ class StripEntry:
         Largest distance, mm, between the points of the section and the curve.
     scale : float
         Factor by which the curve was scaled to the length that the table sets.
+    joints : (str, str)
+        Names of the joints at the start and the end, where another strip of a split curve continues, or "".
     """
 
     spec: StripSpec
     section: str = ""
     off_section: float = 0.0
     scale: float = 1.0
+    joints: tuple[str, str] = ("", "")
 
     @property
     def label(self) -> str:
@@ -148,6 +163,34 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
     if section is None:
         return StripEntry(spec, scale=curve.length / drawn.length)
     return StripEntry(spec, section.called, section.deviation)
+
+
+def split_curve(table: Table, spec: StripSpec) -> Splitting:
+    """Return the pieces into which the key `split` of a table divides the curve of its request."""
+    count = None if table.raw("split") == "fewest" else table.count("split")
+    with table.naming("split"):
+        return split(spec.curve, ratio=spec.largest_ratio, supports=spec.supports, count=count)
+
+
+def clamped_at(joints: Sequence[str], spec: StripSpec) -> StripSpec:
+    """Return the request for a piece of a split curve, which is clamped at its joints."""
+    ends = (End() if joint else end for joint, end in zip(joints, spec.supports.ends, strict=True))
+    return spec.changed(supports=Supports(*ends))
+
+
+def split_entry(entry: StripEntry, pieces: Sequence[PlaneCurve]) -> list[StripEntry]:
+    """Return a strip for each piece of the curve of an entry. Their labels end with their numbers."""
+    spec = entry.spec
+    return [
+        replace(
+            entry,
+            spec=clamped_at(
+                piece.joints, spec.changed(curve=piece.curve, label=f"{spec.label}{piece.suffix}")
+            ),
+            joints=piece.joints,
+        )
+        for piece in DrawnCurve(1, lambda: spec.curve).split(lambda _: pieces)
+    ]
 
 
 def read_fields(table: Table, reader: Reader) -> dict[str, Any]:

@@ -6,7 +6,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
-from itertools import accumulate
 from types import UnionType
 from typing import Any, TypeAlias
 
@@ -235,12 +234,6 @@ def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
 MOST_COUNTED = 10_000
 """Largest count in a file: of strips, sections or repeats."""
 
-MOST_LISTED = 5
-"""Largest number of errors of a file that are listed.
-
-Further errors are only counted, because one mistake often causes many.
-"""
-
 LONGEST_KEY = 60
 """Number of characters of an unknown key, name or text that a message shows."""
 
@@ -335,17 +328,8 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """Sentences for the first errors and the number of further errors, or "" if there are no errors."""
-        texts = list(self._texts.values()) or [""]
-        ends = accumulate(map(len, texts[:MOST_LISTED]))
-        # the first error is always listed, the others up to 800 characters in total
-        listed = texts[: max(1, sum(end <= 800 for end in ends))]
-        # a single further error is listed instead of counted
-        if (left := len(texts) - len(listed)) == 1:
-            listed.append(texts[-1])
-        elif left:
-            listed.append(note("{left} more errors. Correct these first", left=left))
-        *others, last = listed
+        """Sentences for all errors, or "" if there are no errors."""
+        *others, last = list(self._texts.values()) or [""]
         return sentences([*map(ended, others), last], " Also: ")
 
     def refuse(self) -> None:

@@ -9,8 +9,8 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats
-from elastica_cad.errors import InputError, Length, Listed, note
+from elastica_cad._values import as_floats, is_whole
+from elastica_cad.errors import InputError, Length, Listed, note, quoted
 from elastica_cad.form_finding.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.equilibrium_check import examine
@@ -72,6 +72,7 @@ def split(
     supports: Supports | None = None,
     places: ArrayLike | None = None,
     tolerance: float = 1e-4,
+    count: int | None = None,
 ) -> Splitting:
     """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
@@ -93,9 +94,13 @@ def split(
         Possible arc lengths of supports, mm; by default any.
     tolerance : float
         Distance below which inflections of a piece are on one line, as a fraction of the whole curve's length.
+    count : int, optional
+        Number of pieces, by default the least. Additional supports, anywhere, divide the longest pieces equally.
 
     Raises
     ------
+    InputError
+        The curve needs more than `count` pieces.
     NotRealizable
         No number of supports is sufficient, because the curvature touches zero, or because there are too few
         `places`.
@@ -117,10 +122,19 @@ def split(
     require_curve(curve)
     cut = _Cut(curve, ratio, require_supports(supports), _parameters(curve, places), tolerance)
     latest = _forwards(cut)
-    if not latest:
-        return _splitting(cut, [], [])
     ranges = [(min(a, b), b) for a, b in zip(_earliest(cut, latest), latest, strict=True)]
-    return _splitting(cut, _placed(cut, latest, ranges), ranges)
+    if count is not None and not (is_whole(count) and count > len(latest)):
+        raise InputError(
+            "The curve cannot be split into {count} strips. Split it into a whole number of strips, at least "
+            "{least}.",
+            count=quoted(count), least=len(latest) + 1,
+        )  # fmt: skip
+    more = (count or len(latest) + 1) - len(latest) - 1
+    # with more supports, each support can be earlier and later
+    low, high = curve.domain
+    first, last = [low] * more + [a for a, _ in ranges], [b for _, b in ranges] + [high] * more
+    placed = _divided(cut, _placed(cut, latest, ranges), more)
+    return _splitting(cut, placed, [*zip(first, last, strict=True)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -317,6 +331,18 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
             for (first, last), at, cell in zip(ranges, places, cells, strict=True)
         ]
     return places
+
+
+def _divided(cut: _Cut, supports: Sequence[float], more: int) -> Sequence[float]:
+    """Return the supports and `more` supports that divide the longest pieces equally."""
+    low, high = cut.curve.domain
+    ends = cut.curve.arc_length(np.array([low, *supports, high]))
+    parts = np.ones(len(supports) + 1, int)
+    for _ in range(more):
+        parts[(np.diff(ends) / parts).argmax()] += 1
+    pieces = zip(pairwise(ends), parts, strict=True)
+    s = [np.linspace(start, end, count, endpoint=False) for (start, end), count in pieces]
+    return cut.curve.parameter(np.concatenate(s)[1:]).tolist() if more else supports
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:

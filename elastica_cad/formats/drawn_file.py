@@ -19,7 +19,7 @@ from elastica_cad.formats.edges import Edge, Run, Source, sample_run
 from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tolerance, name_source
 from elastica_cad.geometry.fairing import largest_distance
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import cross, lengths_along, near_pairs, norm, points_at
 
 # number of samples along a stroke for each stroke width
@@ -185,16 +185,17 @@ class DrawnCurve:
     id : str
         Id of the curve, or the handle (2F for a shape named "SPLINE 2F").
     piece, pieces : int
-        Number of this piece, from 1, and count of pieces, for a curve that was cut at its corners.
+        Number of this piece, from 1, and count of pieces, for a curve that was split.
     joints : (str, str)
-        Names, such as "J1", of the corners at its start and end that join it to another piece. Empty for
-        other ends.
+        Names, such as "J1", of its start and end if they join it to another piece. Empty for other ends.
     kinds : mapping
         Number of shapes of each kind that form the curve: {"spline": 1}.
     chain : Run
         Edges of the curve as drawn; empty if it was not drawn as edges.
     flatten : callable, optional
         Function that maps edges in space to the plane of the curve.
+    chosen_name : str
+        Name that a person chose: of the shape, or of a layer that contains no other curve. Otherwise empty.
     """
 
     number: int
@@ -208,12 +209,7 @@ class DrawnCurve:
     kinds: Mapping[str, int] = field(default_factory=dict)
     chain: Run = field(default=(), repr=False)
     flatten: Callable[[Run], Run] | None = field(default=None, repr=False)
-
-    @property
-    def chosen_name(self) -> str:
-        """Name that a person chose, or "" for a name that a program made."""
-        source = self.chain[0].source if self.chain else None
-        return self.name if source is not None and source.is_named else ""
+    chosen_name: str = ""
 
     @cached_property
     def curve(self) -> PlaneCurve:
@@ -242,9 +238,14 @@ class DrawnCurve:
         part = f"piece {self.piece} of " if self.pieces > 1 else ""
         return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
 
-    def split_at_corners(self) -> tuple["DrawnCurve", ...]:
-        """Return the pieces between corners. An invalid curve, or a curve without corners, stays unchanged."""
-        cut = () if self.problem else split_at_corners(self.curve)
+    @property
+    def suffix(self) -> str:
+        """End of the names of a piece: a hyphen and its number; "" for a curve that was not split."""
+        return f"-{self.piece}" if self.pieces > 1 else ""
+
+    def split(self, divide: Callable[[PlaneCurve], Sequence[PlaneCurve]]) -> tuple["DrawnCurve", ...]:
+        """Return the pieces that a function makes of the curve. An invalid or undivided curve stays unchanged."""
+        cut = () if self.problem else divide(self.curve)
         if len(cut) < 2:
             return (self,)
         around = f"J{len(cut)}" if self.curve.is_closed else ""
@@ -313,7 +314,7 @@ class DrawnFile:
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
             # first the whole name, then the id or the names of clone and shape, which / separates, then the number
-            named = [curve for curve in curves if which and curve.name == which]
+            named = [curve for curve in curves if which and which in (curve.name, curve.chosen_name)]
             named = named or [
                 curve
                 for curve in curves
@@ -480,6 +481,7 @@ def collect_curves(
         )
 
     sources = [chain[0].source or Source() for chain in chains]
+    on_layer = Counter(source.layer for source in sources)
     curves = [
         DrawnCurve(
             number,
@@ -490,6 +492,7 @@ def collect_curves(
             kinds=kinds_of(chain),
             chain=chain,
             flatten=flat and partial(flat, tolerance=tolerance),
+            chosen_name=source.name if source.is_named else source.layer * (on_layer[source.layer] == 1),
         )
         for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
     ]

@@ -5,16 +5,28 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import numpy as np
+
 from elastica_cad._cached_property import cached_property
 from elastica_cad._values import and_more, counted
 from elastica_cad.defaults import CLEARANCE
+from elastica_cad.design.design_file import merged_error
 from elastica_cad.design.kit_spec import HolderKind, KitSpec
 from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import StripEntry
-from elastica_cad.errors import FieldName, Length, Listed, NotConvergedError, note, sentences
+from elastica_cad.errors import (
+    ElasticaError,
+    FieldName,
+    InputError,
+    Length,
+    Listed,
+    NotConvergedError,
+    note,
+    sentences,
+)
 from elastica_cad.form_finding.limits import FAR_SHARE
-from elastica_cad.geometry.path import largest_deviation
+from elastica_cad.geometry.path import Path, largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
@@ -29,6 +41,7 @@ from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, numbered, tips_below
 from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.strip.clamp_errors import can_snap
+from elastica_cad.strip.drawing import CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.lettering import numbers_note
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
@@ -91,6 +104,26 @@ class KitContents:
             entries=self.entries,
         )
         return report | {"reports": [*report["reports"], *self.notes]}
+
+
+def require_sizes(entries: Sequence[StripEntry], spec: KitSpec) -> None:
+    """Raise InputError, before the strips are made, for strips that cannot be cut from the stock and the sheets.
+
+    Strips on sections are checked later, because a section that is too large is left out.
+    """
+    refused, blanks, longest = list[ElasticaError](), list[Piece](), max(spec.nesting.sheet_size)
+    for entry in (entry for entry in entries if not entry.section):
+        try:
+            entry.spec.require_size()
+            spec.cutting.options(entry.sheet)
+            outline = Path.rectangle(*np.maximum(entry.spec.size_above(longest), 1.0))
+            drawing = Drawing(entry.label, (LayeredPath(CUT_OUTER, outline),))
+            blanks.append(Piece(entry.label, drawing, entry.sheet))
+        except InputError as problem:
+            refused.append(problem.at(strip=entry.label))
+    if refused:
+        raise merged_error(refused)
+    _nest(blanks, spec.nesting, spec, "")
 
 
 def kit_contents(

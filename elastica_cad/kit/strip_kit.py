@@ -19,7 +19,6 @@ from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.makeable_strip import spliced
-from elastica_cad.strip.slots import Cuts, end_numbers
 from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
@@ -66,15 +65,12 @@ class StripResult:
         Strip that the request makes from this result.
     name : str
         Stem of the names of the files.
-    joints : (str, str)
-        Name of the joint at each end where another strip continues; empty at other ends.
     """
 
     spec: StripSpec
     found: Rod | NearestRod
     strip: Strip
     name: str
-    joints: tuple[str, str] = ("", "")
 
     @property
     def near(self) -> NearestRod | None:
@@ -132,7 +128,7 @@ class StripResult:
             smoothing=self.spec.rod_spec.smoothing,
         )
         report["request"] = request_record(self.spec, strip)
-        report |= {"joints": self.joints} if any(self.joints) else {}
+        report |= {"joints": strip.joints} if any(strip.joints) else {}
         return Kit(tuple(files), report)
 
     def _drawn(self, name: str, drawing: Drawing, request: StripFiles, *, pdf: bool) -> list[File]:
@@ -148,24 +144,13 @@ class StripResult:
         ]
 
     @cached_property
-    def drawings(self) -> tuple[Drawing, ...]:
-        """Drawing of each layer. The names of joints are engraved at ends where another strip continues."""
-        strip, joined = self.strip, spliced(self.strip, self.spec.shop)
-        if joined is not None:
-            return replace(joined, ends=self.joints).drawings
-        drawings = strip.drawings()
-        if any(self.joints):
-            base, cuts = drawings[0], Cuts(strip.holes, rim=strip.layers[0].rim)
-            marks = end_numbers(strip.width, cuts, base.texts, self.joints)
-            drawings = (replace(base, texts=(*base.texts, *marks)), *drawings[1:])
-        return drawings
-
-    @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
         """Drawing of each layer, with the file name as its name."""
+        joined = spliced(self.strip, self.spec.shop)
+        drawings = self.strip.drawings() if joined is None else joined.drawings
         return tuple(
             replace(drawing, name=layer.called(self.name))
-            for drawing, layer in zip(self.drawings, self.strip.layers, strict=True)
+            for drawing, layer in zip(drawings, self.strip.layers, strict=True)
         )
 
     def _picture(self) -> Callable[[Path], object]:

@@ -3,7 +3,7 @@
 import os
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
@@ -930,9 +930,11 @@ class SheetForCurve:
 
 
 def sheets_for_curve(
-    curve: PlaneCurve, natural_curvature: NaturalCurvature = 0.0
+    curve: PlaneCurve,
+    natural_curvature: NaturalCurvature = 0.0,
+    sheets: Iterable[Sheet] | None = None,
 ) -> tuple[SheetForCurve, ...]:
-    """Return all known sheets, sorted by the least scale at which they withstand a curve.
+    """Return the sheets, by default all known ones, sorted by the least scale at which they withstand a curve.
 
     The surface strain of a sheet is half its thickness times the absolute change of curvature.
 
@@ -951,7 +953,8 @@ def sheets_for_curve(
     """
     sharpest = float(np.abs(ExcessCurvature(curve, natural_curvature).survey).max())
     scaled = [
-        SheetForCurve(sheet, sharpest * sheet.thickness / (2 * sheet.max_strain)) for sheet in cut_sheets()
+        SheetForCurve(sheet, sharpest * sheet.thickness / (2 * sheet.max_strain))
+        for sheet in (cut_sheets() if sheets is None else sheets)
     ]
     return tuple(sorted(scaled, key=lambda sheet: sheet.scale))
 

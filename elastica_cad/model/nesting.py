@@ -1,7 +1,7 @@
 """Nesting: pieces arranged on sheets of a given size, and lengths sawn from rods."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Annotated, TypeAlias
 
@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._values import require_number, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import KERF
-from elastica_cad.errors import BareLength, FieldName, InputError, Length, note
+from elastica_cad.errors import BareLength, FieldName, InputError, Length, note, sentences
 from elastica_cad.geometry.path import Path
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.drawing import SHEET, Drawing, LayeredPath
@@ -224,7 +224,7 @@ def _nested_group(
         if best is None or cost < best[0]:
             best = cost, upright, sheets
     if best is None:
-        raise InputError(_too_large(pieces, size, margin))
+        raise InputError(sentences(_too_large(pieces, size, margin), ". "))
     _, upright, sheets = best
     return [
         _drawing(sheet, pieces, places, size, margin, upright, f"{name}-{number}")
@@ -337,11 +337,11 @@ def _placement(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
     return np.array([[1.0, 0.0, x - x0], [0.0, 1.0, y - y0], [0.0, 0.0, 1.0]])
 
 
-def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float) -> str:
+def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float) -> Iterator[str]:
     for piece in pieces:
         if not any(_boxes(0, piece, margin, (size[0] - margin, size[1] - margin), False)):
             x, y = piece.size
-            return note(
+            yield note(
                 "{piece}: a part of {x:.4g} by {y:.4g} does not fit on a sheet of {long:g} by {short:g} "
                 "with a margin of {margin:g}. Use a larger sheet ({field}) or make the part in pieces"
                 if piece.sheet.grain == "none" else
@@ -351,4 +351,3 @@ def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float
                 piece=piece.name, x=BareLength(x), y=Length(y), long=BareLength(size[0]), short=Length(size[1]),
                 margin=Length(margin), grain=piece.sheet.grain, field=FieldName("nest.sheet_size"),
             )  # fmt: skip
-    raise AssertionError("every piece fits the sheet")

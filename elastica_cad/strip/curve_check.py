@@ -34,17 +34,18 @@ def common_request(
     supports: Supports | None = None,
     natural_curvature: NaturalCurvature = 0.0,
     between: tuple[Rail | Pin | Tie, ...] = (),
+    sheet: Sheet | None = None,
+    max_width: float | None = None,
 ) -> "StripSpec":
-    """Return a request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
+    """Return a request for a strip: by default 12 times as long as wide, from a thin sheet of `TRIED_SHEETS`."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     curvature = np.abs(curve.survey.curvature).max()
     thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
-    # without a given width, the strip is 12 times as long as wide
     return StripSpec(
         curve,
-        next(thin, TRIED_SHEETS[-1]),
-        max_width=float(np.clip(round(curve.length / 12), 8.0, 120.0)),
+        next(thin, TRIED_SHEETS[-1]) if sheet is None else sheet,
+        max_width=max_width or float(np.clip(round(curve.length / 12), 8.0, 120.0)),
         supports=supports or Supports(),
         natural_curvature=natural_curvature,
         between=between,

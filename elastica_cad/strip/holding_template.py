@@ -380,6 +380,8 @@ def holding_template(strip: Strip) -> Drawing:
         shape = shape.transformed([[-1.0, 0.0, x], [0.0, -1.0, y], [0.0, 0.0, 1.0]])
         ends = ends[0].turned_about(x / 2, y / 2), ends[1].turned_about(x / 2, y / 2)
     first, last = ends
+    # the name of each end, and of a joint with another strip
+    marks = [joint or number for joint, number in zip(strip.joints, "12", strict=True)]
     lines = [(MARK, [first.position, last.position])]
     for end in ends:
         aside = left_of(end.outward)
@@ -397,13 +399,17 @@ def holding_template(strip: Strip) -> Drawing:
     left = min(first.position[0], last.position[0])
     drawn_text = [
         engravable(strip.engraved or strip.label or "strip")
-        + (": its first letter points to its start (1)" if strip.engraved and not strip.unmarked else ""),
+        + (
+            f": its first letter points to its start ({marks[0]})"
+            if strip.engraved and not strip.unmarked
+            else ""
+        ),
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
-            f"{name}: strip {angle_text(end.tilt)}"
+            f"{word} ({mark}): strip {angle_text(end.tilt)}"
             + "".join(f", {free}" for free in [freedom_text(end.support, *DRAWN_AXES)] if free)
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
-            for name, end, holes in zip(("start (1)", "end (2)"), ends, hole_places(ends), strict=True)
+            for word, mark, end, holes in zip(("start", "end"), marks, ends, hole_places(ends), strict=True)
         ),
         *map(str, elements),
         *(["mm; x along the line from its start"] if first.holes or last.holes or elements else []),
@@ -414,7 +420,10 @@ def holding_template(strip: Strip) -> Drawing:
         for row, line in enumerate(drawn_text)
     ]
     # name, its width in letter heights, and its middle
-    names = [(name, 0.5, end.tip + LETTERS_MM * end.outward) for name, end in zip("12", ends, strict=True)]
+    names = [
+        (mark, 0.5 * len(mark), end.tip + LETTERS_MM * end.outward * (0.5 * (1 + len(mark)), 1.0))
+        for mark, end in zip(marks, ends, strict=True)
+    ]
     for held in elements:
         away = ARROW_MM if held.is_load else CROSS_MM
         names.append((held.name, 1.0, held.position[0] + (away + LETTERS_MM) * held.outward[0]))

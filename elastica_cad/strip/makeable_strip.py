@@ -425,7 +425,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
                 lap=Mm(lap),
             )
         places.append(joints)
-    return Splice(strip, LapPlates(places[0], lap, places[1] if len(places) > 1 else ()))
+    return Splice(strip, LapPlates(places[0], lap, places[1] if len(places) > 1 else ()), strip.joints)
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:

@@ -46,7 +46,7 @@ def cut_key(strip: Strip) -> Hashable:
     values = [
         getattr(strip, field.name)
         for field in fields(Strip)
-        if field.name not in ("label", "engrave", "slots")
+        if field.name not in ("label", "engrave", "slots", "joints")
     ]
     key: Hashable = value_key((values, slots))
     return key
@@ -96,7 +96,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     known: dict[int, list[int]] = {}  # group by the id of a strip, so that each strip is compared once
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
-            marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)
+            marks = strip.label, strip.engraved, *strip.joints, *sorted(slot.mate for slot in strip.slots)
             known[id(strip)] = groups.setdefault((shapes.number(FlatShape.of(strip)), marks), [])
         known[id(strip)].append(index)
     names = strip_names(placed)

@@ -86,7 +86,7 @@ from elastica_cad.strip.layers import LapPlates, Layer, cut_layers, draw_layers
 from elastica_cad.strip.lettering import LEAST_LABEL_MM, engravable, engraved_names, require_engravable
 from elastica_cad.strip.outline import SHOULDER_MM, USUAL_TABS, Ends, Tab, pair_of_tabs
 from elastica_cad.strip.perforation import DiamondPattern
-from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.styles import (
     PLAIN,
     Bends,
@@ -435,6 +435,9 @@ class Strip:
         Plates that join the pieces of a strip that is longer than the stock.
     tolerance : MakingTolerance
         Assumed deviations of sheet, cut and clamps: see `held`.
+    joints : (str, str)
+        Names, such as "J1", that are engraved at the start and the end of the bent part, where another strip
+        continues; empty for other ends.
     unmarked : bool
         True if nothing will be engraved or marked on the parts, as by a cutting service. Messages then mention no
         engraving.
@@ -465,6 +468,7 @@ class Strip:
     correction: Profile | None = None
     plates: LapPlates | None = None
     tolerance: MakingTolerance = USUAL_TOLERANCE
+    joints: tuple[str, str] = ("", "")
     unmarked: bool = False
 
     def __post_init__(self) -> None:
@@ -1018,7 +1022,11 @@ class Strip:
     def _drawings(self) -> tuple[Drawing, ...]:
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()
-        return draw_layers(self.layout, self.layers, self.ends, self.slots, engraved, self.label, lap=lap)
+        base, *others = draw_layers(
+            self.layout, self.layers, self.ends, self.slots, engraved, self.label, lap=lap
+        )
+        marks = end_numbers(self.width, Cuts(self.holes, rim=self.layers[0].rim), base.texts, self.joints)
+        return (replace(base, texts=(*base.texts, *marks)), *others)
 
     @property
     def engraved(self) -> str:

@@ -64,7 +64,12 @@ from elastica_cad.strip.own_weight import weight_warning
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
-from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
+from elastica_cad.strip.uncuttable_parts import (
+    DEFAULT_LIMITS,
+    FabricationLimits,
+    accept_faults,
+    size_faults,
+)
 
 GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
 """Gravity of a request: a `Gravity`, True for the weight of the sheet along -y, or a direction."""
@@ -692,6 +697,11 @@ class StripSpec(EqualByValue):
         """True if the strip may deviate from the drawn curve."""
         return self.rod_spec.may_change
 
+    @property
+    def largest_ratio(self) -> float:
+        """Largest stiffness ratio that the limits, the widths and the workshop allow."""
+        return self._makeable_limits.largest_ratio
+
     @cached_property
     def rod_spec(self) -> RodSpec:
         """Request from which the rod of this strip is computed.
@@ -866,6 +876,27 @@ class StripSpec(EqualByValue):
                 limits = replace(limits, width=(self.max_width / ratio, self.max_width))
         return limits
 
+    def size_above(self, longest: float) -> tuple[float, float]:
+        """Return the length with tabs and the largest width, mm; 0 for sizes that only the rod determines.
+
+        A strip that is joined from pieces is shorter than `longest` mm, and so is a strip whose curve may change,
+        unless its drawn curve is a tenth longer.
+        """
+        if self.section is not None:
+            return 0.0, 0.0
+        length = self.run_ins.bent.length + sum(tab.length for tab in self.tabs)
+        if self.shop.lap is not None or (self.may_change and 0.9 * length <= longest):
+            length = min(length, 0.9 * longest)
+        outer = getattr(self.style, "width", None) or (None if self.loads else self.max_width)
+        return length, float(outer) if isinstance(outer, int | float) else 0.0
+
+    def require_size(self) -> None:
+        """Raise FaultError for a strip larger than its stock, before its rod is computed."""
+        stock = self.shop.stock_for(self.material)
+        size = self.size_above(stock[0])
+        faults = size_faults(self.label or "strip", *size, self.material, stock, self.style)
+        accept_faults(tuple(faults), self.ignore_limits)
+
     def make(self, found: Rod | NearestRod | None = None) -> Strip:
         """Return the strip.
 
@@ -883,7 +914,10 @@ class StripSpec(EqualByValue):
         StrainError
             The strip would break.
         """
-        strip = self.bend(accepted_rod(solve_rod(self.rod_spec) if found is None else found))
+        if found is None:
+            self.require_size()
+            found = solve_rod(self.rod_spec)
+        strip = self.bend(accepted_rod(found))
         made = make_within(
             strip, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
             noisy=measured_points(self.curve) is not None,

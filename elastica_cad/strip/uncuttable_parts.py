@@ -334,8 +334,6 @@ LARGER_THAN_STOCK = 2.0
 """Size, as a multiple of the length of the stock, above which a part is refused without a search for thin
 places."""
 
-MOST_LISTED = 3
-
 
 @dataclass(frozen=True)
 class Fault:
@@ -424,7 +422,7 @@ def find_strip_faults(
         web = min(least, shop.bridge_for(sheet))
         if max(long, width) < LARGER_THAN_STOCK * stock[0] and not _is_obviously_wide(strip, least):
             faults += _thin_strip(called, strip, strip.layers[i], least, web, noisy=noisy)
-        faults += _too_large(called, long, width, sheet, stock, style)
+        faults += size_faults(called, long, width, sheet, stock, style)
     if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
         what = note(
             "ligaments (material between holes) of {allowed} are allowed, but only ligaments at least "
@@ -486,7 +484,7 @@ def find_plate_faults(
             ), loops,
             of_hole=True,
         ),
-        *_too_large(name, length, width, sheet, stock),
+        *size_faults(name, length, width, sheet, stock),
     )  # fmt: skip
 
 
@@ -584,7 +582,7 @@ def _thin_strip(
         yield Fault(name, what, note("Make the tab wider"))
     webs = [place for place in places if place.loops != (0, 0) and place.width < web * (1 - SEEN_APART)]
     narrowest = {max(place.loops): place for place in reversed(webs)}  # a hole is named once
-    for place in [place for place in webs if place in narrowest.values()][:MOST_LISTED]:
+    for place in [place for place in webs if place in narrowest.values()]:
         yield _thin_web(name, place, strip, layer, web)
 
 
@@ -713,10 +711,8 @@ def _faults_at(
     alike: dict[str, list[ThinPlace]] = {}
     for place in places:
         alike.setdefault(f"{place.width:.3g}", []).append(place)
-    listed = list(alike.values())[:MOST_LISTED]
-    for k, (place, *others) in enumerate(listed):
-        unlisted = len(places) - sum(map(len, listed)) if k == MOST_LISTED - 1 else 0
-        rest = len(others) + unlisted
+    for place, *others in alike.values():
+        rest = len(others)
         more = note(" (and {rest} more places)", rest=rest) if rest > 1 else note(" (and 1 more place)")
         at = (
             _place_on(strip, place)
@@ -741,7 +737,7 @@ def _faults_at(
         yield Fault(name, what, cure)
 
 
-def _too_large(
+def size_faults(
     name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float], style: object = PLAIN
 ) -> Iterator[Fault]:
     """Yield the fault of a strip larger than the stock."""

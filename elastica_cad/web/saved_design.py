@@ -99,10 +99,11 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
         return tables
     design_of(tables, path, read_curves)
     for k, strip in enumerate(tables.get("strips", [])):
-        if "sections" in strip:
+        if several := strip.keys() & {"sections", "split"}:
             raise InputError(
-                "{path}: the page cannot draw strips along sections of a mesh. Run `elastica model`.",
+                "{path}: the page cannot draw the strips of the key {key}. Run `elastica model`.",
                 path=path,
+                key=min(several),
             )
         if "count" in strip or _has_movable_points(strip["curve"]):
             continue

@@ -97,6 +97,12 @@ def _curves(row, folder):
         assert abs(inch / mm - 25.4) < 0.1  # three or four digits are printed
     elif row[0] == "points you measured":
         assert "can take this curve" in typed(folder, "check", "points.csv")
+    elif row[0].startswith("a curve that needs"):
+        for option in quoted(row[1]):
+            made = ("strip", "s.svg", "--sheet", "pom-0.5", "--max-width", "30", *QUICK)
+            assert " the curve into " in typed(
+                folder, *made, *option.split(), "-o", f"out{option[7:].strip()}"
+            )
     elif row[0].startswith("several curves, and"):
         typed(folder, "strip", "three.svg", *PLY, "--ignore-limits", *quoted(row[1]), "-o", "out")
         assert len(list((folder / "out").glob("*.json"))) == 3

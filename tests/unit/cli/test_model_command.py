@@ -666,3 +666,27 @@ def test_the_cut_list_says_how_many_sheets_to_buy(tmp_path):
         assert line in listed
         assert line in message
     assert len([*(tmp_path / "out" / "sheets").glob("kit-nest*.dxf")]) == 2
+
+
+@pytest.mark.parametrize(
+    ("more", "sizes", "fault"),
+    [
+        ("nest.sheet_size=[600,400]", ("991.9", "929.2"), "does not fit on a sheet of 600 by 400 mm"),
+        ("shop.stock=[700,25]", ("991.9", "231.2", "929.2"), "is larger than the stock of 700 x 25 mm"),
+    ],
+)
+def test_all_strips_that_are_too_large_are_refused_before_one_is_made(
+    more, sizes, fault, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("elastica_cad.design.design_file.Design.model", None)
+    arcs = {"A": "[400, 300], start = 0.2, end = 2.9", "B": "[90, 60], start = 0.2, end = 2.9",
+            "C": "[400, 300], start = 0.2, end = 2.7"}  # fmt: skip
+    strips = [
+        f'[[strips]]\nlabel = "{label}"\nlimits = {{}}\ncurve.ellipse = {{ semi_axes = {arc} }}\n'
+        for label, arc in arcs.items()
+    ]
+    design = tmp_path / "ribs.toml"
+    design.write_text("schema = 1\nsheet = 'birch-plywood-0.8'\nmax_width = 30\n" + "".join(strips))
+    refused = run("model", design, "--set", more, "-q", "-o", tmp_path / "out", code=None).stderr
+    assert re.findall(r"([\d.]+) (?:x|by) 30", refused) == [*sizes]
+    assert refused.count(fault) == len(sizes)

@@ -416,8 +416,8 @@ def test_what_is_missing_is_listed_with_what_to_give(tmp_path, words, told):
     ("words", "advice"),
     [
         (
-            "check arch.csv --sheet pom-1",
-            "no option --sheet; `elastica strip` has --sheet. `elastica check --help` lists all options.\n",
+            "check arch.csv --kerf 0.2",
+            "no option --kerf; `elastica strip` has --kerf. `elastica check --help` lists all options.\n",
         ),
         ("strip arch.csv --max-widht 1", "Did you mean --max-width?"),
         (
@@ -665,5 +665,51 @@ def test_a_search_without_a_result_says_so(words, found, tmp_path, monkeypatch):
 
     monkeypatch.setattr(suggestions, "suggest", found_changes)
     result = run(words, cwd=tmp_path, code=1)
-    assert ("No change that was tried makes the strip possible." in result.stderr) != found
+    assert ("No change that was tried makes the strip possible" in result.stderr) != found
     assert ("Change" in result.output) == found
+
+
+def test_a_search_without_a_result_names_the_sheet_and_width_that_it_assumed(tmp_path, monkeypatch):
+    """The search uses the sheet and the width that are typed, as `elastica strip` does."""
+    write_curves([ec.PlaneCurve.spline(CURVES["wave"], degree=4)], tmp_path / "wave.dxf")
+    tried = []
+
+    def no_change(spec, *_):
+        tried.append((spec.material.name, spec.max_width))
+        return ()
+
+    monkeypatch.setattr(suggestions, "suggest", no_change)
+    text = run("check wave.dxf", cwd=tmp_path, code=1).stderr
+    sheet, width = re.search(r"possible, with --sheet (\S+) --max-width (\S+) assumed\.", text).groups()
+    text = run("check wave.dxf --max-width 17", cwd=tmp_path, code=1).stderr
+    assert f"possible, with --sheet {sheet} assumed." in text
+    text = run("check wave.dxf --sheet pom-1 --max-width 17", cwd=tmp_path, code=1).stderr
+    assert "makes the strip possible.\n" in text
+    run("strip wave.dxf --sheet pom-1 --max-width 17 -o out", cwd=tmp_path, code=1)
+    assert tried == [(sheet, float(width)), (sheet, 17), ("pom-1", 17), ("pom-1", 17)]
+
+
+def test_a_check_with_a_sheet_answers_for_this_sheet(tmp_path):
+    (tmp_path / "arc.csv").write_text("0,0\n60,45\n130,60\n200,45\n260,0\n")
+    (own,) = json.loads(run("check arc.csv --sheet pom-2 --json", cwd=tmp_path).stdout)
+    assert [sheet["name"] for sheet in own["sheets"]] == ["pom-2"]
+    assert "Add --sheet" in run("check arc.csv --thickness 2", cwd=tmp_path, code=2).stderr
+
+
+def test_sizes_files_and_kerf_are_checked_before_the_strip_is_made(tmp_path, monkeypatch):
+    """No rod is computed for a strip that is larger than its stock or would not be written."""
+    monkeypatch.setattr("elastica_cad.cli.strip_command.solve_rod", None)
+    (tmp_path / "arc.csv").write_text("0,0\n900,500\n2000,700\n3100,500\n4000,0\n")
+    words = "strip arc.csv --sheet pom-1 --max-width 200 --nearest"
+    text = run(f"{words} -o out", cwd=tmp_path, code=1).stderr
+    assert re.search(r"arc: 4\d{3} x 200 mm is larger than the stock of 3050 x 1525 mm", text)
+    wide = run(f"{words} --set length=900 --set shop.stock=[1000,150] -o out", cwd=tmp_path, code=1).stderr
+    assert re.search(r"\d x 200 mm is larger than the stock of 1000 x 150 mm", wide)
+    (tmp_path / "arc.json").write_text("{}")
+    assert "arc.json exists" in run(f"{words} --set length=900", cwd=tmp_path, code=2).stderr
+    text = run(
+        "strip arc.csv --sheet oak-2 --max-width 20 --set length=900 --kerf sheet -o out",
+        cwd=tmp_path,
+        code=2,
+    ).stderr
+    assert "The width of the cut is not known for oak-2" in text

@@ -123,7 +123,7 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     ONE + 'between = [{ kind = "pin", at = 60, hole = 2, notch = 0 }, { kind = "tie", start = 10, end = 70, '
     "hole = 0, notch = 2 }]\n",
     ONE + "limits = { strain = 0.01 }\nkeep = { ends = [true, false], tangents = true }\n",
-    HEAD + '[[strips]]\ncurve = { file = "two.svg", id = "a" }\n',
+    HEAD + '[[strips]]\ncurve = { file = "two.svg", id = "a" }\nsplit = 2\n',
     HEAD + '[[strips]]\ncurve = { file = "two.svg", layer = "L" }\n',
     HEAD + "[[strips]]\ncurve = { x = 't', y = '0.01 * t * (90 - t)', t = [0, 90], breaks = [[40, 3]] }\n",
     ONE + "natural_curvature = { stations = [0, 50, 50, 211], curvatures = [0, 0.001, 0.002, 0] }\n",

@@ -263,7 +263,7 @@ ROWS = [
             "y_axis": [0, 1, 0],
         },
     ),
-    ("strip", "named", "strips.0", {"let": {"w": 15}}),
+    ("strip", "named", "strips.0", {"let": {"w": 15}, "split": 2}),
     ("strip", "dome", "strips.0", {"sections": MESH | {"radial": {"count": 2}}}),
     ("style plain", "arch", "style", {"kind!": "perforated"}),
     (

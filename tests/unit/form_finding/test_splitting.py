@@ -17,6 +17,28 @@ from elastica_cad import (
 
 pytestmark = pytest.mark.core
 
+TWICE = PlaneCurve.spline([(0, 0), (20, 60), (50, -60), (80, 60), (100, 80), (160, -90), (190, 20)], degree=4)
+
+
+@pytest.mark.parametrize("more", [0, 1, 4])
+def test_a_curve_is_split_into_a_number_of_strips(more):
+    """Each piece can be made, and each support is in its range."""
+    least = len(split(TWICE).pieces)
+    found = split(TWICE, count=least + more)
+    assert len(found.pieces) == least + more
+    assert sum(piece.length for piece in found.pieces) == pytest.approx(TWICE.length)
+    assert all(check_equilibrium(piece).realizable for piece in found.pieces)
+    assert all(low <= at <= high for (low, high), at in zip(found.ranges, found.supports, strict=True))
+    assert max(found.ratios) <= max(split(TWICE).ratios) * (1 + 1e-6)
+
+
+def test_a_possible_curve_is_split_equally_and_too_few_strips_are_refused():
+    arc = PlaneCurve.arc((0, 0), 100, 0, 2)
+    assert split(arc, count=4).supports == pytest.approx((50, 100, 150))
+    for count in (0, len(split(TWICE).pieces) - 1, 2.5):
+        with pytest.raises(InputError, match=r"a whole number of strips, at least \d"):
+            split(TWICE, count=count)
+
 
 def random_curve(seed, count=9):
     rng = np.random.default_rng(seed)

@@ -7,6 +7,7 @@ import pytest
 
 from elastica_cad import InputError, MissingDependencyError, read_curves
 from elastica_cad.files import read_drawing
+from elastica_cad.geometry.plane_curve import split_at_corners
 
 PX = 25.4 / 96
 
@@ -239,7 +240,7 @@ def test_a_shallow_curve_is_no_straight_line(svg):
 def test_pieces_between_corners_are_counted_and_say_where_they_meet(svg, tmp_path, d, joints):
     svg(path(d))
     (whole,) = read_drawing(tmp_path / "drawn.svg").curves
-    pieces = whole.split_at_corners()
+    pieces = whole.split(split_at_corners)
     assert [(one.piece, one.pieces) for one in pieces] == [(1, 3), (2, 3), (3, 3)]
     assert [one.joints for one in pieces] == joints
     assert sum(one.curve.length for one in pieces) == pytest.approx(whole.curve.length)

@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from elastica_cad import Drawing, InputError, Path, PlaneCurve
+from elastica_cad import Drawing, InputError, Model, Path, Placed, PlaneCurve, Strip, make_strip
 from elastica_cad.geometry import Line, Spline
 from elastica_cad.strip import (
     CUT_INNER,
@@ -13,6 +15,7 @@ from elastica_cad.strip import (
     compensate_kerf,
     text_strokes,
 )
+from elastica_cad.strip.holding_template import holding_template
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
@@ -154,3 +157,13 @@ test_unknown_layers_and_empty_drawings_are_refused = refusal_test(
         (lambda: Drawing("nothing").bounds, "'nothing' has neither"),
     ]
 )
+
+
+def test_joints_are_named_on_the_cut_pattern_and_the_template():
+    arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20)
+    joined = replace(arch, joints=("", "J7"))
+    names = [{text.text for text in made(joined).texts} for made in (Strip.drawing, holding_template)]
+    assert "J7" in names[0] & names[1]
+    assert names[1] & {"1", "2", "J7"} == {"1", "J7"}
+    assert not {"J7"} & {text.text for text in (*arch.drawing().texts, *holding_template(arch).texts)}
+    assert len(Model([Placed(arch), Placed(joined)]).parts) == 2
