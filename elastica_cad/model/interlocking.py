@@ -459,9 +459,9 @@ def _refuse_meeting_slots(strip: Strip, name: str) -> None:
     try:
         whole = strip.outline.closed
     except InputError as error:
-        begin = f"{strip.label or 'strip'}: "
-        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(begin)) from error
+        raise error.at(strip=name) from None
     if not whole:
         raise InputError(
-            "{name}: the slots cut the strip in two. Move the slots apart, or make the strip wider", name=name
+            "the slots cut the strip in two. Move the slots apart, or make the strip wider",
+            where={"strip": name},
         )

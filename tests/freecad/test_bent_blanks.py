@@ -31,7 +31,7 @@ def bent(document, sketch):
 
 
 def test_a_strip_reports_its_blank_first(document, bent):
-    assert bent.Verdict == "A pre-bent strip can be bent into this curve. There are remarks."
+    assert bent.Verdict == "A pre-bent strip can be bent into this curve."
     assert bent.Reasons[0] == EVEN
     change(bent, Thickness=4)
     assert bent.Verdict.startswith("A pre-bent strip would break on this curve.")

@@ -406,24 +406,27 @@ def test_first_use_in_german_and_in_the_dark(tmp_path):
 
 
 @pytest.mark.campaign
-def test_the_card_over_an_open_sketch(tmp_path):
+def test_the_verdict_on_an_open_sketch(tmp_path):
     found = launching.run_window("card.py", tmp_path)
-    assert found["searching"][0]
-    assert found["found"] == ["Use the nearest curve", True]
+    assert not found["searching"]
+    assert len(found["verdicts"]) == 4
+    for headline, words, offered, *seen in found["verdicts"].values():
+        assert re.fullmatch("(cannot|would break): .*[0-9].*", headline), headline
+        assert words.startswith("The nearest possible curve is ")
+        assert offered == "Use the nearest curve"
+        assert seen == [True, True, [], [], False, "First use the nearest curve."]
     for words in ("curvature", "inflection off it", "above the sheet's limit", "nearest curve"):
-        assert words.replace(" ", "&nbsp;") in found["legend"]
-    assert "laid&nbsp;flat" not in found["legend"], "what is not shown is not explained"
+        assert words in found["legend"]
+    assert "laid flat" not in found["legend"], "what is not shown is not explained"
+    assert found["removed"]
     assert found["wheel goes through"]
     assert found["kept off"]
-    assert found["covered"] == []
-    assert found["folded"] == [True, False, False]
-    assert found["unfolded"] == [True, True]
-    assert found["small"] == [True, 0, True, True], "the curve is in sight; the card opens on request"
-    assert found["large again"]
     poles, shown, verdict = found["drawn"]
     assert shown == poles <= 24
     assert verdict == "can"
     assert f"The new curve has {poles} poles" in found["cost"]
+    assert found["keep"] == [True, ""]
+    assert found["empty"] == ["no curve yet", False, False, "First draw a single curve."]
 
 
 @pytest.mark.campaign

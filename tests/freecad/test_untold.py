@@ -17,7 +17,7 @@ def test_what_is_easily_overlooked_is_reported(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
     bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. The inner face of "
     verdict, reason, *_ = found["blank"].splitlines()
-    assert verdict == "A pre-bent strip can be bent into this curve. There are remarks."
+    assert verdict == "A pre-bent strip can be bent into this curve."
     assert reason.startswith(bend)
     assert found["blank, flat part"].startswith(f"Strip: {bend}")
     assert f"Strip: {bend}" in found["blank, export"]

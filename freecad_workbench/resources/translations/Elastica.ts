@@ -963,14 +963,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cannot be made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cannot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1331,10 +1323,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fold or unfold the card</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Select blocks, a plate or rings.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1496,6 +1484,18 @@
     </message>
     <message>
         <source>Every selected strip has its flat part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First draw a single curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First use the nearest curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First make the strip possible.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

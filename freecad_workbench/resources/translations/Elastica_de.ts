@@ -959,14 +959,6 @@
         <translation>geht</translation>
     </message>
     <message>
-        <source>cannot be made</source>
-        <translation>kann nicht gemacht werden</translation>
-    </message>
-    <message>
-        <source>cannot</source>
-        <translation>geht nicht</translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation>noch keine Kurve</translation>
     </message>
@@ -1327,10 +1319,6 @@
         <translation>hier darf die Linie die Kurve nicht treffen</translation>
     </message>
     <message>
-        <source>Fold or unfold the card</source>
-        <translation>Die Karte ein- oder ausklappen</translation>
-    </message>
-    <message>
         <source>Select blocks, a plate or rings.</source>
         <translation>Wählen Sie Halter, eine Platte oder Ringe.</translation>
     </message>
@@ -1493,6 +1481,18 @@
     <message>
         <source>Every selected strip has its flat part.</source>
         <translation>Jeder gewählte Streifen hat sein flaches Teil.</translation>
+    </message>
+    <message>
+        <source>First draw a single curve.</source>
+        <translation>Zuerst eine einzige Kurve zeichnen.</translation>
+    </message>
+    <message>
+        <source>First use the nearest curve.</source>
+        <translation>Zuerst die nächstgelegene Kurve nehmen.</translation>
+    </message>
+    <message>
+        <source>First make the strip possible.</source>
+        <translation>Zuerst den Streifen machbar machen.</translation>
     </message>
 </context>
 <context>

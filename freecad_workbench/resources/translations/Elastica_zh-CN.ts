@@ -959,14 +959,6 @@
         <translation>可以</translation>
     </message>
     <message>
-        <source>cannot be made</source>
-        <translation>无法制作</translation>
-    </message>
-    <message>
-        <source>cannot</source>
-        <translation>不行</translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation>尚无曲线</translation>
     </message>
@@ -1327,10 +1319,6 @@
         <translation>直线不得在此与曲线相交</translation>
     </message>
     <message>
-        <source>Fold or unfold the card</source>
-        <translation>折叠或展开卡片</translation>
-    </message>
-    <message>
         <source>Select blocks, a plate or rings.</source>
         <translation>请选择夹具、底板或圆环。</translation>
     </message>
@@ -1493,6 +1481,18 @@
     <message>
         <source>Every selected strip has its flat part.</source>
         <translation>所选条带均已有平面件。</translation>
+    </message>
+    <message>
+        <source>First draw a single curve.</source>
+        <translation>请先绘制单条曲线。</translation>
+    </message>
+    <message>
+        <source>First use the nearest curve.</source>
+        <translation>请先使用最近的曲线。</translation>
+    </message>
+    <message>
+        <source>First make the strip possible.</source>
+        <translation>请先使条带可行。</translation>
     </message>
 </context>
 <context>
