@@ -457,11 +457,7 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
 def _refuse_meeting_slots(strip: Strip, name: str) -> None:
     """Refuse slots that meet each other, or that cut the strip in two."""
     try:
-        whole = strip.outline.closed
+        if not strip.outline.closed:
+            raise InputError("the slots cut the strip in two. Move the slots apart, or make the strip wider")
     except InputError as error:
         raise error.at(strip=name) from None
-    if not whole:
-        raise InputError(
-            "the slots cut the strip in two. Move the slots apart, or make the strip wider",
-            where={"strip": name},
-        )

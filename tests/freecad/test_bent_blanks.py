@@ -52,7 +52,7 @@ def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
     assert bent.Reasons[0].startswith(
         "Before assembly, bend the strip; the smallest radius is 100 mm, at 101 mm from the start. "
     )
-    assert " Blank in the report or the properties lists the curvature along the strip." in bent.Reasons[0]
+    assert 'list the curvature along the strip (property "Blank").' in bent.Reasons[0]
 
 
 def test_what_is_cut_reports_it(document, bent, drawn, tmp_path):

@@ -545,7 +545,7 @@ def test_strips_of_the_curves_in_one_sketch(tmp_path):
 def test_buttons_carry_the_numbers_of_a_refusal(tmp_path):
     found = launching.run_window("suggested.py", tmp_path)
     good = ["Up-to-date"]
-    width = "Set MaxWidth to 4.34 mm."
+    width = 'Set "Largest width" to 4.34 mm.'
     assert found["narrow"] == ["Invalid", [width, "Make it anyway"]]
     assert found["width"] == [width, 4.34]
     assert found[width][:2] == [good, []]
@@ -700,7 +700,7 @@ def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
         )
     assert found["held by a plate"] == 2, "blocks for what stands on a plate"
     assert found["opened again"] == [{"Strip": 2}, {"Strip": 3}, {"Strip": 1}]
-    assert "Set its Scale to 1" in found["scaled"]
+    assert 'Set property "Scale" to 1' in found["scaled"]
 
 
 @pytest.mark.campaign

@@ -40,7 +40,7 @@ def test_what_is_easily_overlooked_is_reported(tmp_path):
     assert found["body"] == ["Drawn", "A flat strip can be bent into this curve.", ["Up-to-date"]]
     takes = "A flat strip can be bent into this curve."
     assert found["pasted with its sketch"] == ["Behind", takes, [], True, 0]
-    missing = "The curve is missing: choose a sketch or an edge in the property Curve"
+    missing = 'The curve is missing: choose a sketch or an edge in "Curve"'
     assert found["pasted alone"] == [None, "There is no strip.", [missing], False, 0]
     assert found["shear of birch"] == pytest.approx(620)
     assert found["shear kept"] == [600, True]

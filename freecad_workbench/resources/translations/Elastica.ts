@@ -8,15 +8,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the curve as drawn, if Smooth is 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stop dragged poles where the strip can be made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -168,15 +160,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Apply MarginLimit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Apply the strain limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Smallest length; applies together with MostLength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -193,10 +177,6 @@
     </message>
     <message>
         <source>Keep the tangents of both ends</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends whose tangents KeepTangents keeps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -501,6 +481,26 @@
     </message>
     <message>
         <source>Messages in all languages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn, if it is not smoothed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the least stability margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest length; applies together with the largest length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends whose tangents are kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1496,6 +1496,34 @@
     </message>
     <message>
         <source>First make the strip possible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of its upper face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the curve: Nearest</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -12,7 +12,7 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.objects import sensor
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surface_of
+from freecad.elastica_wb.host.qt import BUTTON_LETTERS, QtCore, QtWidgets, kind_of, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
@@ -31,7 +31,6 @@ WIDTH_FRACTION = 0.45
 LOOKED_MS = 100
 # distance, pixels, of the box from the sides of its panel
 SIDE_PX = 8
-BUTTON_LETTERS = 32
 MESSAGES = "SketcherGui::TaskSketcherMessages"
 """Class of the sketcher's messages in the panel *Tasks*."""
 
@@ -75,7 +74,7 @@ class VerdictCard(QtCore.QObject):
             if isinstance(part, QtWidgets.QLabel):
                 part.setWordWrap(True)
         self.answer: Answer | None = None
-        self._layout, self._viewport, self._corner = layout, None, 0
+        self._layout, self._viewport, self._corner, self._title = layout, None, 0, ""
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
         self._soon = later(self._place, LOOKED_MS, self)
@@ -96,8 +95,8 @@ class VerdictCard(QtCore.QObject):
         self.words.setText(sentence)
         self.legend.setText(legend)
         title = worded(answer.words)
-        if title != self.verdict.text():
-            self.verdict.setText(title)
+        if title != self._title:
+            self._title = title
             self._place()
         self._fit()
         self.heading.show()
@@ -177,7 +176,8 @@ class VerdictCard(QtCore.QObject):
         part = free_part(self._over)
         room = round(WIDTH_FRACTION * part.width())
         letters = self.heading.fontMetrics()
-        self.heading.setText(letters.elidedText(self.verdict.text(), QtCore.Qt.ElideRight, room))
+        for label in (self.heading, self.verdict):
+            label.setText(letters.elidedText(self._title, QtCore.Qt.ElideRight, room))
         self.heading.adjustSize()
         self.heading.move(*self._free_corner(part))
 
