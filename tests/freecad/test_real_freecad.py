@@ -195,7 +195,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert "elasto-gravity length" in found["coupon"]
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert found["marked"] == [True, False]
-    uncut = "Accuracy assumes a compensated kerf. Set Kerf to "
+    uncut = 'Accuracy assumes a compensated kerf. Set "Kerf" to '
     assert uncut in found["kerf not compensated"]
     assert "compensate" not in found["kerf compensated"]
     assert found["kerf compensated"].splitlines()[-1] == found["kerf not compensated"].splitlines()[-1]
@@ -287,7 +287,7 @@ def test_a_maker_at_work(tmp_path):
     (narrow, offered), (none, useless), (fits, _) = found["refused"].values()
     assert offered
     assert not useless, "the nearest curve is no help against a width of 0"
-    assert "wide or wider (MaxWidth)" in narrow
+    assert 'wide or wider ("Largest width")' in narrow
     assert none.startswith("There is no strip.\nGive MaxWidth or MinWidth in mm, because")
     assert fits.startswith("A flat strip")
     assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"
