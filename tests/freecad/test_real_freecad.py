@@ -204,7 +204,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert found["about an axis"][1]
     assert ">3</td>" in found["curves shown"][0]
     assert found["curves shown"][1] == 3
-    assert "in the property Closed lines" in found["closed sections"]
+    assert 'in "Closed lines"' in found["closed sections"]
     assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])
@@ -288,7 +288,7 @@ def test_a_maker_at_work(tmp_path):
     assert offered
     assert not useless, "the nearest curve is no help against a width of 0"
     assert 'wide or wider ("Largest width")' in narrow
-    assert none.startswith("There is no strip.\nGive MaxWidth or MinWidth in mm, because")
+    assert none.startswith('There is no strip.\nGive "Largest width" or "Least width" in mm, because')
     assert fits.startswith("A flat strip")
     assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"
     assert "Invalid" in found["without its sketch"][0]
