@@ -18,7 +18,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole
-from elastica_cad.errors import InputError, note, quoted, sentences
+from elastica_cad.errors import FieldName, InputError, note, quoted, sentences
 
 Record: TypeAlias = Callable[..., Any]
 """A dataclass with declared fields, or a function with declared parameters."""
@@ -197,7 +197,10 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
             and not _fits(value, entry.kind, entry.option)
         ):
             raise _refusal(
-                entry, value, f"{whose} {entry.name}".strip(), where=None if whose else {"field": entry.name}
+                entry,
+                value,
+                f"{whose} {entry.name}" if whose else FieldName(entry.name),
+                where=None if whose else {"field": entry.name},
             )
 
 
@@ -218,7 +221,8 @@ def require_bounds(entry: Field, value: Any, place: str) -> None:
 def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
     return InputError(
         "{field} is {given}: give {wanted}",
-        field=place, given=quoted(value), wanted=_valid_values(entry.kind, entry.option), **where,
+        field=place, given=value if isinstance(value, float) else quoted(value),
+        wanted=_valid_values(entry.kind, entry.option), **where,
     )  # fmt: skip
 
 

@@ -24,7 +24,7 @@ from elastica_cad.declared import (
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, PairCutting, cutting_keys
 from elastica_cad.design.tables import FORMER_KEYS, OTHER_WORDS, Formula, Table
-from elastica_cad.errors import Either, InputError, Refusal, near_names, note, quoted
+from elastica_cad.errors import Either, FieldName, InputError, Refusal, near_names, note, quoted
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.cross_sections import SECTION_KINDS, Section
@@ -386,7 +386,7 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
             "{place}: {line} cannot be read. Write keys and values, such as {example}.",
-            place=where,
+            place=FieldName(where),
             line=quoted(line),
             example=example or "at = 40, side = 'lower'",
         ) from error

@@ -70,11 +70,12 @@ def pre_bend_message(strip: Strip) -> str:
         if even
         else (
             "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. There, the "
-            "inner face of this bend is also the inner face after assembly. {field} in the report or the "
-            "properties lists the curvature along the strip. The widths are designed for this pre-bending.",
+            "inner face of this bend is also the inner face after assembly. The report or the "
+            "properties list the curvature along the strip ({field}). The widths are designed for this "
+            "pre-bending.",
             "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. There, the "
-            "inner face of this bend is the outer face after assembly. {field} in the report or the properties "
-            "lists the curvature along the strip. The widths are designed for this pre-bending.",
+            "inner face of this bend is the outer face after assembly. The report or the properties "
+            "list the curvature along the strip ({field}). The widths are designed for this pre-bending.",
         )
     )
     radius = Length(1 / abs(rest[at]))

@@ -14,7 +14,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad.errors import InputError, Refusal, ended, near_names, note, quoted, sentences
+from elastica_cad.errors import FieldName, InputError, Refusal, ended, near_names, note, quoted, sentences
 from elastica_cad.formats.source_file import LARGEST_NUMBER
 
 Value: TypeAlias = "float | FloatArray"
@@ -387,7 +387,7 @@ class Table:
 
     def place(self, key: str) -> str:
         """Return the name of a key in messages, with its file and table."""
-        return f"{self.where}: {key}" if self.where else key
+        return f"{self.where}: {key}" if self.where else FieldName(key)
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:

@@ -457,11 +457,7 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
 def _refuse_meeting_slots(strip: Strip, name: str) -> None:
     """Refuse slots that meet each other, or that cut the strip in two."""
     try:
-        whole = strip.outline.closed
+        if not strip.outline.closed:
+            raise InputError("the slots cut the strip in two. Move the slots apart, or make the strip wider")
     except InputError as error:
-        begin = f"{strip.label or 'strip'}: "
-        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(begin)) from error
-    if not whole:
-        raise InputError(
-            "{name}: the slots cut the strip in two. Move the slots apart, or make the strip wider", name=name
-        )
+        raise error.at(strip=name) from None

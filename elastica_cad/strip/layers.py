@@ -162,7 +162,9 @@ def cut_layers(
         if abs(y) < drawn(np.clip(x, 0.0, drawn.length)) / 2
     ]
     holes = end_holes(drawn, held)
-    rim = cut_slots(flat_rim(drawn, held), holes, reaching, width, name=f"{name}, backing")
+    rim = cut_slots(
+        flat_rim(drawn, held), holes, reaching, width, name=f"{name}, backing" if name else "backing"
+    )
     return base, Layer(layout.backing.sheet, rim, holes, "backing", layout.sheet.thickness)
 
 

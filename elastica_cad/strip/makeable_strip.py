@@ -382,21 +382,19 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     >>> [piece.name for piece in splice(long, 600, 60).pieces]
     ['A-1', 'A-2', 'A-lap-1']
     """
-    name = strip.label or "strip"
+    where = {"strip": strip.label}
     if strip.layout.size is not None:
         raise InputError(
-            "{name}: a strip of varying thickness or diameter cannot be cut in pieces, because the plates "
-            "that join the pieces would have to taper too. Use a larger stock, or a strip of constant thickness",
-            name=name,
+            "a strip of varying thickness or diameter cannot be cut in pieces, because the plates that join "
+            "the pieces would have to taper too. Use a larger stock, or a strip of constant thickness",
+            where=where,
         )
     longest = (stock, backing_stock or stock)[: len(strip.layers)]
     if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
         raise InputError(
-            (
-                "{name}: plates {lap:g} long (lap) cannot join pieces {longest:g} long. Set a lap above 0 "
-                "and below a third of the length of the pieces"
-            ),
-            name=name,
+            "plates {lap:g} long (lap) cannot join pieces {longest:g} long. Set a lap above 0 and below a "
+            "third of the length of the pieces",
+            where=where,
             lap=Mm(lap),
             longest=Mm(min(longest)),
         )
@@ -418,9 +416,9 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
         joints = _cheapest_joints(s, np.where(clear, turn**2, np.inf), count, first, last, most, lap)
         if joints is None:
             raise InputError(
-                "{name}: the pieces of the strip need {count} joints, each {lap:g} long, which do not fit "
-                "between the slots: set a shorter lap, or a larger stock",
-                name=name,
+                "the pieces of the strip need {count} joints, each {lap:g} long, which do not fit between "
+                "the slots: set a shorter lap, or a larger stock",
+                where=where,
                 count=count,
                 lap=Mm(lap),
             )

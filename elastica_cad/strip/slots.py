@@ -239,17 +239,20 @@ def cut_slots(
     width : Profile
         Full width of the strip.
     name : str
-        Name of the part in messages.
+        Name of the part in messages, or "".
     """
     if not slots:
         return outline
     edge = _Edge(outline)
-    openings = sorted((edge.opening(slot, width, name) for slot in slots), key=attrgetter("out"))
-    _refuse_meetings(openings, holes, name)
-    # openings are in the order of the outline, so the next cut must begin after this cut has returned
-    for before, after in pairwise(openings):
-        if after.out < before.back:
-            raise InputError(_meeting(name, before.slot, after.slot))
+    try:
+        openings = sorted((edge.opening(slot, width) for slot in slots), key=attrgetter("out"))
+        _refuse_meetings(openings, holes)
+        # openings are in the order of the outline, so the next cut must begin after this cut has returned
+        for before, after in pairwise(openings):
+            if after.out < before.back:
+                raise InputError(_meeting(before.slot, after.slot))
+    except InputError as problem:
+        raise problem.at(strip=name) from None
     chain: list[Segment] = []
     # the part of the outline before each opening, and the cut
     for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
@@ -272,7 +275,7 @@ class _Edge:
         self.low, self.high = np.minimum(begins, ends) - FLAT_MM, np.maximum(begins, ends) + FLAT_MM
         self.owner = np.arange(len(self.chords)).repeat([len(c.points) - 1 for c in self.chords])
 
-    def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
+    def opening(self, slot: Slot, width: Profile) -> _Opening:
         """Return where a slot opens at the edge, extended beyond it until both its sides meet the edge."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
@@ -286,19 +289,16 @@ class _Edge:
             low, high = float(self.low[:, 0].min()), float(self.high[:, 0].max())
             if not low < slot.at < high:
                 raise InputError(
-                    "{name}: the slot {at:.6g} from the start is not on the strip, which extends with its "
-                    "tabs from {low:.4g} to {high:.4g}: move the slot",
-                    name=name,
+                    "the slot {at:.6g} from the start is not on the strip, which extends with its tabs from "
+                    "{low:.4g} to {high:.4g}: move the slot",
                     at=Length(slot.at),
                     low=BareLength(low),
                     high=Length(high),
                 )
             raise InputError(
-                "{strip}: the slot at {at} does not open at the edge: make it deeper or move it"
+                "the slot at {at} does not open at the edge: make it deeper or move it"
                 if len(crossings) < 2
-                else "{strip}: the slot at {at} cuts through to another edge: make it shallower or narrower "
-                "or move it",
-                strip=name,
+                else "the slot at {at} cuts through to another edge: make it shallower or narrower or move it",
                 at=Length(slot.at),
             )
         # in the order of the cut; `a` and `b` are the places of the two crossings on the cut
@@ -337,32 +337,30 @@ def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
     return [trim_segment(segment, u0, u1)]
 
 
-def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: str) -> None:
+def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path]) -> None:
     """Refuse slots that meet each other or a hole."""
     cuts = [opening.points for opening in openings]
     boxes = [box_about(cut) for cut in cuts]
     for i, opening in enumerate(openings):
         for j in range(i):
             if boxes_meet(boxes[i], boxes[j]) and polylines_cross(cuts[i], cuts[j]) is not None:
-                raise InputError(_meeting(name, openings[j].slot, opening.slot))
+                raise InputError(_meeting(openings[j].slot, opening.slot))
         for hole in holes:
             if not boxes_meet(boxes[i], hole.bounds):
                 continue
             at = polylines_cross(cuts[i], hole.closed_points(FLAT_MM))
             if at is not None:
                 raise InputError(
-                    "{name}: the slot {at:.6g} from the start meets a hole at {at_2}: move one of them",
-                    name=name,
+                    "the slot {at:.6g} from the start meets a hole at {at_2}: move one of them",
                     at=Length(opening.slot.at),
                     at_2=place(at),
                 )
 
 
-def _meeting(name: str, a: Slot, b: Slot) -> str:
+def _meeting(a: Slot, b: Slot) -> str:
     return note(
-        "{strip}: the slots {one} and {other} from the start touch: move them apart, or make them narrower or "
-        "shallower",
-        strip=name, one=Length(a.at), other=Length(b.at),
+        "the slots {one} and {other} from the start touch: move them apart, or make them narrower or shallower",
+        one=Length(a.at), other=Length(b.at),
     )  # fmt: skip
 
 

@@ -573,7 +573,7 @@ class Strip:
     def layers(self) -> tuple[Layer, ...]:
         """Sheets of the strip, the base layer first."""
         holes = cut_holes(self.rod, self.ends)
-        return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
+        return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label)
 
     def cut_as(self, other: "Strip") -> "Strip":
         """Copy the computed layers of another strip with the same `cut_key`, and return this strip."""
@@ -956,7 +956,7 @@ class Strip:
     def whole(self) -> tuple[Layer, ...]:
         """Return the layers without slots and without holes for pins and ties."""
         cut = self.slots or element_cuts(self.rod)
-        return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
+        return cut_layers(self.layout, self.ends, (), name="") if cut else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> HeldShape:
         """Return the shape of the finished strip in its holders.

@@ -342,7 +342,7 @@ class Fault:
     Attributes
     ----------
     part : str
-        Name of the part.
+        Name of the part, or "" for a strip without a label.
     what : str
         Description of the fault with its position.
     cure : str
@@ -360,7 +360,7 @@ class Fault:
     at: float | None = None
 
     def __str__(self) -> str:
-        return note("{part}: {fault}. {cure}", part=self.part, fault=self.what, cure=self.cure)
+        return note("{fault}. {cure}", fault=self.what, cure=self.cure).at(strip=self.part)
 
 
 def _faults_message(faults: Iterable[Fault]) -> str:
@@ -404,7 +404,7 @@ def find_strip_faults(
     if strip.layout.size is not None:  # the section already limits thickness or diameter
         return ()
     shop = shop or FabricationLimits()
-    name = strip.label or "strip"
+    name = strip.label
     joined = shop.lap is not None  # joined strips may be longer than the stock
     backing, style = strip.layout.backing, strip.style
     ligament = shop.ligament_for(strip.sheet)
@@ -412,7 +412,7 @@ def find_strip_faults(
     length = strip.rod.length + sum(tab.length for tab in strip.ends)
     width = max(strip.width.extremes[1], *(tab.widest(0.0) for tab in strip.ends))
     for i, sheet in enumerate([strip.sheet] if backing is None else [strip.sheet, backing.sheet]):
-        called = name if i == 0 else f"{name}, backing"
+        called = name if i == 0 else f"{name}, backing" if name else "backing"
         least, stock = shop.width_for(sheet), shop.stock_for(sheet)
         if i and isinstance(
             style, Laminated

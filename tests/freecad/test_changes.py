@@ -131,5 +131,6 @@ def test_a_dragged_pole_stops_at_the_border(tmp_path):
     drags, refused, stopped = found["drags"]
     assert (drags, refused) == (500, [])
     assert 50 < stopped < 450
+    assert 90 < found["strained"] < 100.5, "in percent of the limit that the verdict shows"
     assert found["circles"] < 1e-2
     assert found["off"] == [False, True]

@@ -144,7 +144,7 @@ def test_a_formula_whose_spreadsheet_is_gone(document, made):
     assert message_of(made) == ""
     document.removeObject(cells.Name)
     with pytest.raises(
-        InputError, match=r"FreeCAD cannot compute the formula of the property Style \(Cells.A1\). Correct or"
+        InputError, match=r"FreeCAD cannot compute the formula of Style \(Cells.A1\). Correct or"
     ):
         strip.strip_of(made)
     assert strip.is_stale(made, {made.Name})

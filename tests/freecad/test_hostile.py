@@ -203,7 +203,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
     else:
         document.removeObject(cells.Name)
         says = (
-            r"^FreeCAD cannot compute the formula of the property MaxWidth \(.*Numbers.*\). "
+            r'^FreeCAD cannot compute the formula of "Largest width" \(.*Numbers.*\). '
             r"Correct or remove the formula.$"
         )
     document.recompute()

@@ -63,7 +63,7 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     seen, reasons, volume = found["numbers there"]
     (message,) = found["numbers lost, told"]
     assert message.startswith(
-        "Strip, Strip flat, Nest, Fixtures: FreeCAD cannot compute the formula of the property MaxWidth ("
+        'Strip, Strip flat, Nest, Fixtures: FreeCAD cannot compute the formula of "Largest width" ('
     )
     sentence = message.partition("Fixtures: ")[2]
     assert sentence.endswith("). Correct or remove the formula.")

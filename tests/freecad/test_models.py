@@ -177,7 +177,7 @@ def test_what_hangs_on_a_link_to_what_was_deleted_says_so(document, standing):
     assert standing[0].Visibility, "it is well, and nothing stands for it"
     (sentence,) = whole.Reports
     assert sentence.startswith(
-        "Link links to a deleted object. Choose another object in its property LinkedObj"
+        'Link links to a deleted object. Choose another object in property "Linked Object"'
     )
     assert why_not_made(made[1]) == sentence
     with pytest.raises(InputError, match=r"^Link links to a deleted object"):
@@ -478,7 +478,7 @@ def test_spacers_are_cut_with_their_rings(document, lamp):
         box = spacer.BoundBox
         assert (box.ZMin, box.ZMax) == pytest.approx((min(heights)[0], max(heights)[1]))
     change(rings, Gap=0)
-    assert "Set Gap" in rings.getStatusString()
+    assert 'Set "Gap (0 = one ring)"' in rings.getStatusString()
 
 
 def test_rings_are_drilled_for_a_lamp_holder(document, lamp):
@@ -667,7 +667,7 @@ def test_holders_of_links_and_arrays(document, crossing):
     assert gaps == pytest.approx([0] * 6, abs=1e-3)
     assert len(second.Shape.Solids) == 2
     change(link, Scale=2)
-    assert "Set its Scale to 1" in all_of_them.getStatusString()
+    assert 'Set property "Scale" to 1' in all_of_them.getStatusString()
     link.Scale = 1
     other = new(model.create, document, [crossing[1], link])
     assert "is not a strip" in other.getStatusString()
@@ -688,7 +688,7 @@ def test_links_containers_and_flat_parts_are_counted(document, standing):
     assert [cut.piece.count for cut in cuts_of([first, lying])] == [1], "the same piece, bent and flat"
     assert [cut.piece.count for cut in cuts_of([first, spread])] == [6]
     link.Scale = 2
-    with pytest.raises(InputError, match="Set its Scale to 1"):
+    with pytest.raises(InputError, match="Set Scale to 1"):
         cuts_of([link])
 
 

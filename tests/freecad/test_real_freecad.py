@@ -195,7 +195,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert "elasto-gravity length" in found["coupon"]
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert found["marked"] == [True, False]
-    uncut = "Accuracy assumes a compensated kerf. Set Kerf to "
+    uncut = 'Accuracy assumes a compensated kerf. Set "Kerf" to '
     assert uncut in found["kerf not compensated"]
     assert "compensate" not in found["kerf compensated"]
     assert found["kerf compensated"].splitlines()[-1] == found["kerf not compensated"].splitlines()[-1]
@@ -204,7 +204,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert found["about an axis"][1]
     assert ">3</td>" in found["curves shown"][0]
     assert found["curves shown"][1] == 3
-    assert "in the property Closed lines" in found["closed sections"]
+    assert 'in "Closed lines"' in found["closed sections"]
     assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])
@@ -287,8 +287,8 @@ def test_a_maker_at_work(tmp_path):
     (narrow, offered), (none, useless), (fits, _) = found["refused"].values()
     assert offered
     assert not useless, "the nearest curve is no help against a width of 0"
-    assert "wide or wider (MaxWidth)" in narrow
-    assert none.startswith("There is no strip.\nGive MaxWidth or MinWidth in mm, because")
+    assert 'wide or wider ("Largest width")' in narrow
+    assert none.startswith('There is no strip.\nGive "Largest width" or "Least width" in mm, because')
     assert fits.startswith("A flat strip")
     assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"
     assert "Invalid" in found["without its sketch"][0]
@@ -406,24 +406,27 @@ def test_first_use_in_german_and_in_the_dark(tmp_path):
 
 
 @pytest.mark.campaign
-def test_the_card_over_an_open_sketch(tmp_path):
+def test_the_verdict_on_an_open_sketch(tmp_path):
     found = launching.run_window("card.py", tmp_path)
-    assert found["searching"][0]
-    assert found["found"] == ["Use the nearest curve", True]
+    assert not found["searching"]
+    assert len(found["verdicts"]) == 4
+    for headline, words, offered, *seen in found["verdicts"].values():
+        assert re.fullmatch("(cannot|would break): .*[0-9].*", headline), headline
+        assert words.startswith("The nearest possible curve is ")
+        assert offered == "Use the nearest curve"
+        assert seen == [True, True, [], [], False, "First use the nearest curve."]
     for words in ("curvature", "inflection off it", "above the sheet's limit", "nearest curve"):
-        assert words.replace(" ", "&nbsp;") in found["legend"]
-    assert "laid&nbsp;flat" not in found["legend"], "what is not shown is not explained"
+        assert words in found["legend"]
+    assert "laid flat" not in found["legend"], "what is not shown is not explained"
+    assert found["removed"]
     assert found["wheel goes through"]
     assert found["kept off"]
-    assert found["covered"] == []
-    assert found["folded"] == [True, False, False]
-    assert found["unfolded"] == [True, True]
-    assert found["small"] == [True, 0, True, True], "the curve is in sight; the card opens on request"
-    assert found["large again"]
     poles, shown, verdict = found["drawn"]
     assert shown == poles <= 24
     assert verdict == "can"
     assert f"The new curve has {poles} poles" in found["cost"]
+    assert found["keep"] == [True, ""]
+    assert found["empty"] == ["no curve yet", False, False, "First draw a single curve."]
 
 
 @pytest.mark.campaign
@@ -446,7 +449,7 @@ def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
     assert last == "Strip002: A flat strip can be bent into this curve."
     heading, verdict, words = found["card"]
     assert [heading, verdict] == ["snaps into another shape; tips over sideways", "breaks"]
-    assert words.startswith("the strip snaps into another shape")
+    assert "\nthe strip snaps into another shape" in words
 
 
 @pytest.mark.campaign
@@ -542,7 +545,7 @@ def test_strips_of_the_curves_in_one_sketch(tmp_path):
 def test_buttons_carry_the_numbers_of_a_refusal(tmp_path):
     found = launching.run_window("suggested.py", tmp_path)
     good = ["Up-to-date"]
-    width = "Set MaxWidth to 4.34 mm."
+    width = 'Set "Largest width" to 4.34 mm.'
     assert found["narrow"] == ["Invalid", [width, "Make it anyway"]]
     assert found["width"] == [width, 4.34]
     assert found[width][:2] == [good, []]
@@ -697,7 +700,7 @@ def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
         )
     assert found["held by a plate"] == 2, "blocks for what stands on a plate"
     assert found["opened again"] == [{"Strip": 2}, {"Strip": 3}, {"Strip": 1}]
-    assert "Set its Scale to 1" in found["scaled"]
+    assert 'Set property "Scale" to 1' in found["scaled"]
 
 
 @pytest.mark.campaign

@@ -149,7 +149,7 @@ def test_closed_sections_alone_are_reported_once(document, ball):
     document.recompute()
     assert made.getStatusString() == (
         "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in "
-        "the property Closed lines."
+        '"Closed lines".'
     )
     assert [made.ThroughX.Value, made.ThroughY.Value] == [0, 7.3]
     change(made, Closed=CLOSED[1])

@@ -17,7 +17,7 @@ def test_what_is_easily_overlooked_is_reported(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
     bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. The inner face of "
     verdict, reason, *_ = found["blank"].splitlines()
-    assert verdict == "A pre-bent strip can be bent into this curve. There are remarks."
+    assert verdict == "A pre-bent strip can be bent into this curve."
     assert reason.startswith(bend)
     assert found["blank, flat part"].startswith(f"Strip: {bend}")
     assert f"Strip: {bend}" in found["blank, export"]
@@ -40,7 +40,7 @@ def test_what_is_easily_overlooked_is_reported(tmp_path):
     assert found["body"] == ["Drawn", "A flat strip can be bent into this curve.", ["Up-to-date"]]
     takes = "A flat strip can be bent into this curve."
     assert found["pasted with its sketch"] == ["Behind", takes, [], True, 0]
-    missing = "The curve is missing: choose a sketch or an edge in the property Curve"
+    missing = 'The curve is missing: choose a sketch or an edge in "Curve"'
     assert found["pasted alone"] == [None, "There is no strip.", [missing], False, 0]
     assert found["shear of birch"] == pytest.approx(620)
     assert found["shear kept"] == [600, True]

@@ -5,12 +5,15 @@ import json
 import re
 from pathlib import Path
 from string import Formatter
+from xml.etree import ElementTree
 
 import FreeCAD as App
 import numpy as np
 import pytest
+from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, flexure, model, nest
+from freecad.elastica_wb.features.strip_properties import NEAREST, PROPERTIES
 from freecad.elastica_wb.host import words
-from freecad.elastica_wb.host.words import Unit, capital, worded
+from freecad.elastica_wb.host.words import LABELS, Unit, capital, worded
 
 from elastica_cad import InputError, PlaneCurve, Sheet, check_equilibrium
 from elastica_cad.errors import (
@@ -116,16 +119,35 @@ def test_translations_have_the_gaps_of_their_templates(language):
     assert other == {}
 
 
+def translated(language):
+    """Translations of the workbench's own words, by context and text."""
+    if language == "en":
+        return {}
+    path = ROOT / "freecad_workbench" / "resources" / "translations" / f"Elastica_{language}.ts"
+    return {
+        (context.findtext("name"), message.findtext("source")): message.findtext("translation")
+        for context in ElementTree.parse(path).getroot().iter("context")
+        for message in context.iter("message")
+    }
+
+
+def speak(monkeypatch, language):
+    """The words of a language, without a window that would load them."""
+    known = translated(language)
+    monkeypatch.setattr(words, "user_language", lambda: language)
+    monkeypatch.setattr(words, "translate", lambda *text: known.get(text, text[1]))
+
+
 @pytest.fixture
 def chinese(monkeypatch):
     """The Chinese words."""
-    monkeypatch.setattr(words, "user_language", lambda: "zh-CN")
+    speak(monkeypatch, "zh-CN")
 
 
 @pytest.fixture
 def german(monkeypatch):
-    """The German words, without a window that would load them."""
-    monkeypatch.setattr(words, "user_language", lambda: "de")
+    """The German words."""
+    speak(monkeypatch, "de")
 
 
 @pytest.mark.usefixtures("german")
@@ -151,7 +173,7 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     with pytest.raises(InputError) as unknown:
         Sheet.named("birch-plywood-8")
     assert worded(unknown.value.refusal) == (
-        "unbekannte Platte „birch-plywood-8“: verwenden Sie birch-plywood-6 und setzen Sie Thickness auf 8 mm"
+        "unbekannte Platte „birch-plywood-8“: verwenden Sie birch-plywood-6 und setzen Sie „Dicke“ auf 8 mm"
     )
     assert worded(InputError("what nobody knows").refusal) == "what nobody knows"
     both = sentences([note("{width} wide", width=Span.of(20.8, 30)), note("the material stays bent there")])
@@ -182,10 +204,110 @@ def test_lengths_are_said_in_the_users_unit():
     assert (str(two), worded(two, inch)) == ("50.8 by 25.4 mm", "2 by 1 in")
 
 
-def test_fields_have_freecads_names():
-    keys = ("max_width", "shop.least_width", "ignore_limits", "seam_position", "style.hole_ratio", "limits")
+CORE_OF_FREECAD = ("geometry", "mechanics", "form_finding", "strip", "model", "pairs")
+"""Packages of the core whose messages users of the workbench meet."""
+
+QUOTES = {"en": '"{}"', "de": "„{}“", "zh-CN": "“{}”"}
+PROPERTY = {"en": 'property "{}"', "de": "Eigenschaft „{}“", "zh-CN": "属性“{}”"}
+
+
+def calls_of(file, name):
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    return [
+        node for node in ast.walk(tree) if isinstance(node, ast.Call) and getattr(node.func, "id", "") == name
+    ]
+
+
+def constants(node):
+    return {
+        part.value
+        for part in ast.walk(node)
+        if isinstance(part, ast.Constant) and isinstance(part.value, str)
+    }
+
+
+def labels_of_boxes():
+    """What stands beside the boxes of all panels, in English: layouts, .ui files, and the row of the curve."""
+    panels = WORKBENCH / "panels"
+    layouts = calls_of(panels / "feature_panels.py", "Layout")
+    names = {name for layout in layouts for group in layout.args[3].values for name in constants(group)}
+    assert len(names) > 60
+    files = (ROOT / "freecad_workbench" / "resources" / "ui").glob("*.ui")
+    widgets = [widget for file in files for widget in ElementTree.parse(file).getroot().iter("widget")]
+    texts = {
+        w.findtext("property[@name='text']/string")
+        for w in widgets
+        if w.get("class") in ("QLabel", "QCheckBox")
+    }
+    rows = {
+        call.args[1].value
+        for call in calls_of(panels / "property_panel.py", "translate")
+        if constants(call.args[1])
+    }
+    return {LABELS[name] for name in names} | texts | rows
+
+
+def names_of_properties():
+    tables = [PROPERTIES, NEAREST]
+    for module in (baseplate, curves, fixtures, flat, flexure, model, nest):
+        tables += [kind.properties for kind in vars(module).values() if hasattr(kind, "properties")]
+    return {entry.name for table in tables for entry in table}
+
+
+def fields_in_messages():
+    """Keys of all fields that messages name."""
+    files = [file for folder in CORE_OF_FREECAD for file in (CORE / folder).rglob("*.py")]
+    named = [
+        call.args[0] for file in (*files, *WORKBENCH.rglob("*.py")) for call in calls_of(file, "FieldName")
+    ]
+    return {key for name in named if not isinstance(name, ast.JoinedStr) for key in constants(name)}
+
+
+@pytest.mark.parametrize("language", ["en", "de", "zh-CN"])
+def test_messages_name_boxes_as_they_are_labelled(monkeypatch, language):
+    speak(monkeypatch, language)
+
+    def shown(text):
+        return words.translate("Elastica", text)
+
+    boxes = {*map(shown, labels_of_boxes()), shown("Nearest curve to sketch")}
+    boxes.add(f"{shown(LABELS['Follow'])}: {shown('Nearest')}")
+    assert {*map(shown, LABELS.values())} <= boxes
+    properties = names_of_properties() | {"Scale", "LinkedObject", "FileName"}
+    spaced = {re.sub("(?<=[a-z])(?=[A-Z])", " ", name) for name in properties}
+    named = {*map(QUOTES[language].format, boxes), *map(PROPERTY[language].format, spaced)}
+    texts = {key: words.Words(language, Unit("mm", 1), ".").field(key) for key in fields_in_messages()}
+    assert len(texts) > 40
+    only_in_files = {"feet", "full", "second_state", "shop.lap"}
+    assert {key for key, text in texts.items() if text not in named} == only_in_files
+
+
+def test_no_message_names_a_property_in_its_text():
+    names = "|".join(
+        name for name in names_of_properties() | {"LinkedObject", "FileName"} if name[1:].lower() != name[1:]
+    )
+    raw = re.compile(rf"\b({names})\b|[Pp]roperty [A-Z{{]|Eigenschaft [A-Z{{]")
+    texts = {text for file in WORKBENCH.rglob("*.py") if file.name != "tests.py" for text in templates(file)}
+    texts |= {text for language in ("de", "zh-CN") for text in catalogue(language).values()}
+    texts |= {entry.help for entry in PROPERTIES}
+    assert {text for text in texts if raw.search(text)} == set()
+
+
+def test_fields_have_the_names_of_their_boxes():
+    keys = (
+        "max_width",
+        "shop.least_width",
+        "ignore_limits",
+        "gravity",
+        "style.hole_ratio",
+        "limits",
+        "shop.lap",
+    )
     text = [worded(note("raise {field}", field=FieldName(key))).removeprefix("raise ") for key in keys]
-    assert text == ["MaxWidth", "LeastWidth", "Anyway", "Joint", "HoleRatio", "Follow"]
+    assert text == [
+        '"Largest width"', 'property "Least Width"', '"Make it anyway"', '"Own weight"', 'property "Hole Ratio"',
+        '"Follow the curve: Nearest"', 'key "shop.lap" of a design file',
+    ]  # fmt: skip
     assert capital("too narrow") == "Too narrow"
     assert capital("rib: too narrow") == "rib: too narrow"
 
@@ -204,8 +326,8 @@ def test_a_limit_of_the_material_is_called_by_its_own_property(document, sketch,
         setattr(made, name, value)
     document.recompute()
     text = " ".join([made.Verdict, *made.Reasons])
-    assert "MaterialWidth" in text, text
-    assert "MaxWidth" not in text, text
+    assert 'property "Material Width"' in text, text
+    assert "Largest width" not in text, text
 
 
 @pytest.mark.usefixtures("german")
@@ -247,15 +369,17 @@ REFUSED = [
     {"Creep": -1},
     {"Style": "Laminated", "OuterWidth": 0},
     {"Style": None},
+    {"MaxWidth": 4},
 ]
 ENGLISH = re.compile(r"\b(the|it|and|values|give|leave|such|must|make|use|one|keep|deeper|positive|is)\b")
 
 
 @pytest.mark.usefixtures("german")
 @pytest.mark.parametrize("asked", REFUSED, ids=" ".join)
-def test_refused_properties_are_reported_in_german(document, sketch, asked):
+def test_refused_properties_are_reported_in_german(document, sketch, monkeypatch, asked):
     from freecad.elastica_wb.features import strip
 
+    monkeypatch.setattr(words, "decimal_point", lambda: ",")
     made = strip.create(document, sketch)
     for name, value in asked.items():
         if value is None:
@@ -264,7 +388,9 @@ def test_refused_properties_are_reported_in_german(document, sketch, asked):
             setattr(made, name, value)
     document.recompute()
     assert "Invalid" in made.State
-    assert not ENGLISH.search(" ".join(made.Reasons)), made.Reasons
+    text = " ".join(made.Reasons)
+    assert not ENGLISH.search(text), text
+    assert not re.search(r"[0-9]\.[0-9]|^strip", text.replace("birch-plywood-0.8", "")), text
 
 
 def test_a_line_that_cannot_be_read_is_reported_what_its_property_takes(document, sketch):
@@ -320,7 +446,7 @@ def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monk
     made.NaturalCurvature, broken.Sheet = 0.004, "birch-plywood-3"
     document.recompute()
     german = [made.Verdict, *made.Reasons, made.Sideways, broken.Verdict, *broken.Reasons]
-    assert made.Verdict == "Ein vorgebogener Streifen lässt sich in diese Kurve biegen. Es gibt Anmerkungen."
+    assert made.Verdict == "Ein vorgebogener Streifen lässt sich in diese Kurve biegen."
     broken.Messages = broken.Messages[:-9]
     document.saveAs(str(tmp_path / "german.FCStd"))
     monkeypatch.setattr(words, "user_language", lambda: "en")
@@ -328,7 +454,7 @@ def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monk
     try:
         first, second = again.getObject(made.Name), again.getObject(broken.Name)
         english = [first.Verdict, *first.Reasons, first.Sideways]
-        assert english[0] == "A pre-bent strip can be bent into this curve. There are remarks."
+        assert english[0] == "A pre-bent strip can be bent into this curve."
         assert second.Verdict == broken.Verdict
         for obj in (first, second):
             obj.touch()
@@ -352,4 +478,4 @@ def test_a_stored_message_has_all_its_values():
     again = words.unpacked(json.loads(json.dumps(words.packed(message))))
     inch = Unit("in", 25.4)
     assert (str(again), worded(again, inch)) == (str(message), worded(message, inch))
-    assert "MaterialWidth" in worded(again)
+    assert 'property "Material Width"' in worded(again)

@@ -8,15 +8,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the curve as drawn, if Smooth is 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stop dragged poles where the strip can be made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -168,15 +160,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Apply MarginLimit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Apply the strain limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Smallest length; applies together with MostLength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -193,10 +177,6 @@
     </message>
     <message>
         <source>Keep the tangents of both ends</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends whose tangents KeepTangents keeps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -501,6 +481,26 @@
     </message>
     <message>
         <source>Messages in all languages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn, if it is not smoothed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the least stability margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest length; applies together with the largest length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends whose tangents are kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -963,14 +963,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>cannot be made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cannot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1331,10 +1323,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fold or unfold the card</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Select blocks, a plate or rings.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1496,6 +1484,46 @@
     </message>
     <message>
         <source>Every selected strip has its flat part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First draw a single curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First use the nearest curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First make the strip possible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of its upper face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the curve: Nearest</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

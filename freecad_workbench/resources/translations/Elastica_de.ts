@@ -8,16 +8,8 @@
         <translation>Größter Abstand, um den das Glätten die Kurve bewegen darf; 0 entfernt nur Stufen und Ecken, innerhalb von 0,1 mm</translation>
     </message>
     <message>
-        <source>Keep the curve as drawn, if Smooth is 0</source>
-        <translation>Kurve wie gezeichnet lassen, wenn Smooth 0 ist</translation>
-    </message>
-    <message>
         <source>Stop dragged poles where the strip can be made</source>
         <translation>Gezogene Pole dort anhalten, wo der Streifen machbar ist</translation>
-    </message>
-    <message>
-        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
-        <translation>Länge der Kurve, auf die sich die Stellen in Between und Loads beziehen; 0 für die jetzige Länge</translation>
     </message>
     <message>
         <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
@@ -164,16 +156,8 @@
         <translation>Größte Dehnung in Prozent; 0 für die Grenze der Platte</translation>
     </message>
     <message>
-        <source>Apply MarginLimit</source>
-        <translation>MarginLimit anwenden</translation>
-    </message>
-    <message>
         <source>Apply the strain limit</source>
         <translation>Dehnungsgrenze anwenden</translation>
-    </message>
-    <message>
-        <source>Smallest length; applies together with MostLength</source>
-        <translation>Kleinste Länge; gilt zusammen mit MostLength</translation>
     </message>
     <message>
         <source>Largest length; 0 for no limits</source>
@@ -190,10 +174,6 @@
     <message>
         <source>Keep the tangents of both ends</source>
         <translation>Die Tangenten beider Enden behalten</translation>
-    </message>
-    <message>
-        <source>Ends whose tangents KeepTangents keeps</source>
-        <translation>Enden, deren Tangenten KeepTangents beibehält</translation>
     </message>
     <message>
         <source>Keep inflections on the curve's inflection line</source>
@@ -498,6 +478,26 @@
     <message>
         <source>Messages in all languages</source>
         <translation>Meldungen in allen Sprachen</translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn, if it is not smoothed</source>
+        <translation>Kurve wie gezeichnet lassen, wenn sie nicht geglättet wird</translation>
+    </message>
+    <message>
+        <source>Apply the least stability margin</source>
+        <translation>Die kleinste Stabilitätsreserve anwenden</translation>
+    </message>
+    <message>
+        <source>Smallest length; applies together with the largest length</source>
+        <translation>Kleinste Länge; gilt zusammen mit der größten Länge</translation>
+    </message>
+    <message>
+        <source>Ends whose tangents are kept</source>
+        <translation>Enden, deren Tangenten erhalten bleiben</translation>
+    </message>
+    <message>
+        <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
+        <translation>Länge der Kurve, auf die sich die Stellen von Schienen, Schnüren und Lasten beziehen; 0 für die jetzige Länge</translation>
     </message>
 </context>
 <context>
@@ -959,14 +959,6 @@
         <translation>geht</translation>
     </message>
     <message>
-        <source>cannot be made</source>
-        <translation>kann nicht gemacht werden</translation>
-    </message>
-    <message>
-        <source>cannot</source>
-        <translation>geht nicht</translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation>noch keine Kurve</translation>
     </message>
@@ -1327,10 +1319,6 @@
         <translation>hier darf die Linie die Kurve nicht treffen</translation>
     </message>
     <message>
-        <source>Fold or unfold the card</source>
-        <translation>Die Karte ein- oder ausklappen</translation>
-    </message>
-    <message>
         <source>Select blocks, a plate or rings.</source>
         <translation>Wählen Sie Halter, eine Platte oder Ringe.</translation>
     </message>
@@ -1493,6 +1481,46 @@
     <message>
         <source>Every selected strip has its flat part.</source>
         <translation>Jeder gewählte Streifen hat sein flaches Teil.</translation>
+    </message>
+    <message>
+        <source>First draw a single curve.</source>
+        <translation>Zuerst eine einzige Kurve zeichnen.</translation>
+    </message>
+    <message>
+        <source>First use the nearest curve.</source>
+        <translation>Zuerst die nächstgelegene Kurve nehmen.</translation>
+    </message>
+    <message>
+        <source>First make the strip possible.</source>
+        <translation>Zuerst den Streifen machbar machen.</translation>
+    </message>
+    <message>
+        <source>Make it anyway</source>
+        <translation>Trotzdem herstellen</translation>
+    </message>
+    <message>
+        <source>Height of its upper face</source>
+        <translation>Höhe der Oberseite</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>Schnittfuge</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Kerben</translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation>Nächstgelegene Kurve zur Skizze</translation>
+    </message>
+    <message>
+        <source>Follow the curve: Nearest</source>
+        <translation>Der Kurve folgen: nächstgelegene Kurve</translation>
     </message>
 </context>
 <context>

@@ -8,16 +8,8 @@
         <translation>光顺时曲线可移动的最大距离；0 表示仅消除台阶和尖角，移动不超过 0.1 mm</translation>
     </message>
     <message>
-        <source>Keep the curve as drawn, if Smooth is 0</source>
-        <translation>Smooth 为 0 时保持所绘曲线</translation>
-    </message>
-    <message>
         <source>Stop dragged poles where the strip can be made</source>
         <translation>将拖动的控制点停在条带可制作的位置</translation>
-    </message>
-    <message>
-        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
-        <translation>Between 和 Loads 中的位置所对应的曲线长度；0 表示当前长度</translation>
     </message>
     <message>
         <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
@@ -164,16 +156,8 @@
         <translation>最大应变（%）；0 表示采用板材极限</translation>
     </message>
     <message>
-        <source>Apply MarginLimit</source>
-        <translation>应用 MarginLimit</translation>
-    </message>
-    <message>
         <source>Apply the strain limit</source>
         <translation>应用应变极限</translation>
-    </message>
-    <message>
-        <source>Smallest length; applies together with MostLength</source>
-        <translation>最小长度；与 MostLength 一起生效</translation>
     </message>
     <message>
         <source>Largest length; 0 for no limits</source>
@@ -190,10 +174,6 @@
     <message>
         <source>Keep the tangents of both ends</source>
         <translation>保持两端切线</translation>
-    </message>
-    <message>
-        <source>Ends whose tangents KeepTangents keeps</source>
-        <translation>KeepTangents 所保持切线的端点</translation>
     </message>
     <message>
         <source>Keep inflections on the curve's inflection line</source>
@@ -498,6 +478,26 @@
     <message>
         <source>Messages in all languages</source>
         <translation>各语言的消息</translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn, if it is not smoothed</source>
+        <translation>未平滑时保持所绘曲线</translation>
+    </message>
+    <message>
+        <source>Apply the least stability margin</source>
+        <translation>应用最小稳定裕度</translation>
+    </message>
+    <message>
+        <source>Smallest length; applies together with the largest length</source>
+        <translation>最小长度；与最大长度一起生效</translation>
+    </message>
+    <message>
+        <source>Ends whose tangents are kept</source>
+        <translation>保持切线的端点</translation>
+    </message>
+    <message>
+        <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
+        <translation>导轨、拉绳和载荷位置所参照的曲线长度；0 表示当前长度</translation>
     </message>
 </context>
 <context>
@@ -959,14 +959,6 @@
         <translation>可以</translation>
     </message>
     <message>
-        <source>cannot be made</source>
-        <translation>无法制作</translation>
-    </message>
-    <message>
-        <source>cannot</source>
-        <translation>不行</translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation>尚无曲线</translation>
     </message>
@@ -1327,10 +1319,6 @@
         <translation>直线不得在此与曲线相交</translation>
     </message>
     <message>
-        <source>Fold or unfold the card</source>
-        <translation>折叠或展开卡片</translation>
-    </message>
-    <message>
         <source>Select blocks, a plate or rings.</source>
         <translation>请选择夹具、底板或圆环。</translation>
     </message>
@@ -1493,6 +1481,46 @@
     <message>
         <source>Every selected strip has its flat part.</source>
         <translation>所选条带均已有平面件。</translation>
+    </message>
+    <message>
+        <source>First draw a single curve.</source>
+        <translation>请先绘制单条曲线。</translation>
+    </message>
+    <message>
+        <source>First use the nearest curve.</source>
+        <translation>请先使用最近的曲线。</translation>
+    </message>
+    <message>
+        <source>First make the strip possible.</source>
+        <translation>请先使条带可行。</translation>
+    </message>
+    <message>
+        <source>Make it anyway</source>
+        <translation>仍然制作</translation>
+    </message>
+    <message>
+        <source>Height of its upper face</source>
+        <translation>上表面高度</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>孔</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>切缝</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>缺口</translation>
+    </message>
+    <message>
+        <source>Nearest curve to sketch</source>
+        <translation>草图的最近曲线</translation>
+    </message>
+    <message>
+        <source>Follow the curve: Nearest</source>
+        <translation>跟随曲线: 最近曲线</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,4 @@
-"""The card over an open sketch: the mouse goes through, poles stay in sight, it folds, and its button draws."""
+"""The verdict on an open sketch: a headline over the view, reason and buttons in the panel Tasks."""
 
 import sys
 from pathlib import Path
@@ -19,23 +19,29 @@ from inside import (
     mouse,
     on_screen,
     picture,
+    press_on_card,
     run,
     sketch,
-    still,
     until,
+    wait,
     window,
 )
 
 BAD = [(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)]
+IMPOSSIBLE = {
+    "off line": BAD,
+    "crossing": [(0, 0), (30, 90), (70, -60), (110, 80), (150, 0)],
+    "sharp": [(0, 0), (0, 60), (8, 90), (16, 60), (16, 0)],
+    "thin": [(0, 0), (20, 90), (60, -60), (90, 95), (120, -20), (150, 0)],
+}
 
 
-def at_the_card(card):
-    """The middle of its words on the screen."""
-    return card.words.mapToGlobal(card.words.rect().center())
+def middle(widget):
+    return widget.mapToGlobal(widget.rect().center())
 
 
 def covering(card):
-    """Panels of FreeCAD 1.1 that lie over the card."""
+    """Panels of FreeCAD 1.1 that lie over the headline."""
 
     def on_the_screen(widget):
         return QtCore.QRect(widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
@@ -45,95 +51,105 @@ def covering(card):
         for one in Gui.getMainWindow().findChildren(QtWidgets.QTabWidget)
         if one.metaObject().className() == "Gui::OverlayTabWidget" and one.isVisible() and one.count()
     ]
-    return [one.objectName() for one in panels if on_the_screen(one).intersects(on_the_screen(card.frame))]
+    return [one.objectName() for one in panels if on_the_screen(one).intersects(on_the_screen(card.heading))]
 
 
 def is_hidden(card, place):
-    """Does the card lie over a place in space?"""
-    corner = card.frame.mapToGlobal(QtCore.QPoint(0, 0))
-    return card.frame.rect().contains(QtCore.QPoint(*on_screen(*place)) - corner)
+    """Does the headline lie over a place in space?"""
+    corner = card.heading.mapToGlobal(QtCore.QPoint(0, 0))
+    return card.heading.rect().contains(QtCore.QPoint(*on_screen(*place)) - corner)
 
 
-def pole(drawn, number):
-    return tuple(drawn.Geometry[0].getPole(number))[:2]
+def poles(drawn):
+    return [tuple(point)[:2] for point in drawn.Geometry[0].getPoles()]
 
 
-def in_a_small_view(drawn, card):
-    """The card where the view has little room: points of the curve below it; unfolded and folded by its button."""
-    main = Gui.getMainWindow()
-    main.showNormal()
-    main.resize(760, 520)
-    until(lambda: card.frame.parent().height() < 330)
-    fit("Top")
-    fit(height=150)
-    folded = until(lambda: not card.words.isVisible(), 10)
-    still(lambda: card.frame.geometry().getRect())
-    curve = drawn.Geometry[0]
-    span = curve.LastParameter - curve.FirstParameter
-    points = [tuple(curve.value(curve.FirstParameter + span * k / 60))[:2] for k in range(61)]
-    picture("small.png")
-    below = sum(is_hidden(card, point) for point in points)
-    click(card.fold)
-    opened = until(card.words.isVisible, 10)
-    still(lambda: card.frame.geometry().getRect())
-    picture("small-opened.png")
-    click(card.fold)
-    return [folded, below, opened, until(lambda: not card.words.isVisible(), 10)]
+def is_in_sight(widget):
+    """Can the whole width of a widget be seen, without scrolling to the side?"""
+    return widget.isVisible() and widget.visibleRegion().boundingRect().width() == widget.width()
+
+
+def seen(card):
+    """What a person sees of the verdict without doing anything."""
+    parts = (card.verdict, card.words, card.button, card.keep)
+    return [all(map(is_in_sight, parts)), card.heading.height() < 40]
 
 
 def work():
     window()
-    drawn = sketch(begun("Card"), BAD)
+    document = begun("Card")
     from freecad.elastica_wb.live import observers
     from freecad.elastica_wb.live import session as live
 
-    Gui.ActiveDocument.setEdit(drawn.Name)
-    observers.switch(drawn, on=True)
-    fit("Top")
-    fit(height=320)
-    searching = until(live.session().card.button.isVisible)
-    card = live.session().card
-    answers["searching"] = [searching, card.button.text(), card.button.isEnabled()]
+    def opened(points, name):
+        drawn = sketch(document, points, name=name)
+        Gui.ActiveDocument.setEdit(drawn.Name)
+        observers.switch(drawn, on=True)
+        fit("Top")
+        fit(height=320)
+        until(lambda: live.session() is not None)
+        until(live.session().card.verdict.isVisible)
+        return drawn, live.session().card
+
+    answers["verdicts"] = {}
+    for name, points in IMPOSSIBLE.items():
+        drawn, card = opened(points, name.title())
+        if "searching" not in answers:
+            until(card.button.isVisible)
+            answers["searching"] = card.button.isEnabled()
+        live_at_rest()
+        until(lambda card=card: live.session().near is not None and card.button.isEnabled())
+        wait(200)
+        found = [card.heading.text(), card.words.text(), card.button.text(), *seen(card)]
+        hidden = [place for place in poles(drawn) if is_hidden(card, place)]
+        answers["verdicts"][name] = [*found, hidden, covering(card), card.keep.isEnabled(), card.why.text()]
+        answers.setdefault("legend", card.legend.text())
+        picture(f"card-{name.replace(' ', '-')}.png")
+        Gui.ActiveDocument.resetEdit()
+        until(lambda: live.session() is None)
+    answers["removed"] = not any(
+        one.objectName() == "keepPossible" and one.isVisible()
+        for one in Gui.getMainWindow().findChildren(QtWidgets.QCheckBox)
+    )
+    drawn, card = opened(BAD, "Dragged")
     live_at_rest()
-    answers["legend"] = card.legend.text()
-    answers["covered"] = covering(card)
-    answers["found"] = [card.button.text(), card.button.isEnabled()]
-    picture("card.png")
-    # the wheel over the words of the card zooms the view below it
-    place, before = at_the_card(card), looks_from()
+    # the wheel over the headline zooms the view below it
+    place, before = middle(card.heading), looks_from()
     mouse("mousemove", place.x(), place.y(), "sleep", 0.1, "click", 4)
     answers["wheel goes through"] = until(lambda: looks_from() != before)
     fit(height=320)
-    # a pole is dragged below the card, which then lies elsewhere
-    start, place = pole(drawn, 3), at_the_card(card)
+    # a pole is dragged below the headline, which then lies elsewhere
+    start, place = poles(drawn)[2], middle(card.heading)
     x, y = on_screen(*start)
     drag(start, 8, ((place.x() - x) / 8, (place.y() - y) / 8))
-    until(lambda: pole(drawn, 3) != start)
+    until(lambda: poles(drawn)[2] != start)
     live_at_rest()
-    answers["kept off"] = until(lambda: not is_hidden(card, pole(drawn, 3)), 10)
+    answers["kept off"] = until(lambda: not is_hidden(card, poles(drawn)[2]), 10)
     picture("kept-off.png")
-    drawn.Document.undo()
+    document.undo()
     live_at_rest()
-    until(card.words.isVisible)  # folded while it would hide the pole
-    height = card.frame.height()
-    click(card.fold)
-    answers["folded"] = [card.frame.height() < height / 3, card.words.isVisible(), card.button.isVisible()]
-    picture("folded.png")
-    click(card.fold)
-    answers["unfolded"] = [card.frame.height() > height / 2, card.words.isVisible()]
     until(lambda: live.session().near is not None)
-    answers["small"] = in_a_small_view(drawn, card)
-    window()
-    fit(height=320)
-    answers["large again"] = until(card.words.isVisible, 10)
-    until(lambda: live.session().near is not None)
-    click(card.button)
+    press_on_card("button")
     until(lambda: drawn.Geometry[0].NbPoles > len(BAD), 120)
     live_at_rest()
     circles = [one for one in drawn.Geometry if one.TypeId == "Part::GeomCircle"]
     answers["drawn"] = [drawn.Geometry[0].NbPoles, len(circles), card.answer.verdict.value]
     answers["cost"] = live.session().sentence
+    answers["keep"] = [card.keep.isEnabled(), card.why.text()]
     picture("poles.png")
+    # nothing can be kept possible in an empty sketch
+    Gui.ActiveDocument.resetEdit()
+    empty = document.addObject("Sketcher::SketchObject", "Empty")
+    Gui.ActiveDocument.setEdit(empty.Name)
+    observers.switch(empty, on=True)
+    until(lambda: live.session() is not None)
+    until(live.session().card.verdict.isVisible)
+    card = live.session().card
+    live_at_rest()
+    click(card.keep)
+    wait(200)
+    answers["empty"] = [card.heading.text(), card.keep.isChecked(), card.keep.isEnabled(), card.why.text()]
+    picture("empty.png")
 
 
 run(work)

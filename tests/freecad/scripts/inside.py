@@ -458,13 +458,13 @@ def live_at_rest():
 
 
 def press_on_card(part):
-    """A button of the card over a sketch, by the mouse; a small view folds the card first."""
+    """A button of the verdict in the panel Tasks, by the mouse."""
     from freecad.elastica_wb.live import session as live
 
-    card = live.session().card
-    if not getattr(card, part).isVisible():
-        click(card.fold)
-    click(getattr(card, part))
+    widget = getattr(live.session().card, part)
+    until(lambda: widget.isVisible() and widget.isEnabled())
+    scroll_to(widget)
+    click(widget)
 
 
 def drag(start, steps, shift, name="", grab=lambda: None):

@@ -35,10 +35,15 @@ def poles(drawn):
     return [[[p.x, p.y] for p in points] for points in (curve.getPoles(), circles)]
 
 
+strained = []
+"""Strains of the strips that were possible, in percent of the limit."""
+
+
 def verdict(drawn, k=0, shift=(0, 0)):
     """Why no strip of the preferences takes the curve, with one pole moved; empty if a strip does."""
     from freecad.elastica_wb.curves.sketch_curves import sketch_curve
     from freecad.elastica_wb.solving.strip_cache import default_spec
+    from freecad.elastica_wb.solving.verdicts import strip_faults
 
     from elastica_cad import ElasticaError
 
@@ -46,10 +51,11 @@ def verdict(drawn, k=0, shift=(0, 0)):
     points = curve.control_points.copy()
     points[k] += shift
     try:
-        default_spec(curve.with_control_points(points)).make()
+        strip = default_spec(curve.with_control_points(points)).make()
     except ElasticaError as error:
         return str(error)
-    return ""
+    strained.append(100 * strip.max_strain / strip.strain_limit)
+    return ", ".join(fault.words for fault in strip_faults(strip))
 
 
 def moved(drawn, k, place):
@@ -89,6 +95,7 @@ def work():
     answers["heading"] = live.session().card.heading.text()
     picture("keep.png")
     answers["farther"] = verdict(drawn, 2, (0, -1.5))
+    strained.clear()
     trigger("Std_Undo")
     until(lambda: poles(drawn)[0] == before)
     answers["undone"] = poles(drawn)[0]
@@ -102,6 +109,7 @@ def work():
         refused += filter(None, [verdict(drawn)])
         stopped += bool(np.hypot(*(poles(drawn)[0][k] - place)) > 0.1)
     answers["drags"] = [DRAGS, refused[:3], stopped]
+    answers["strained"] = max(strained)
     apart = np.subtract(*poles(drawn))
     answers["circles"] = float(np.abs(apart).max())
     press_on_card("keep")

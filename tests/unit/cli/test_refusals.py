@@ -507,7 +507,7 @@ def test_an_option_is_explained_like_a_key(tmp_path):
 @pytest.mark.parametrize(
     ("words", "options"),
     [
-        ("--set smooth=-1", "(--smooth)"),
+        ("--set smooth=-1", "--smooth is -1.0: give"),
         ("--nearest --set samples=99", "Leave out --nearest, or --set samples"),
         (
             "--set loads=[{at=20,mass=5}]",

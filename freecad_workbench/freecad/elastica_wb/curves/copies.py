@@ -10,7 +10,7 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, link_target
 from freecad.elastica_wb.host.refusal import broken_link_message, is_broken_link
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError
 
 Standing = tuple[Any, App.Placement, bool]
 Shown = tuple[Any, App.Matrix]
@@ -106,8 +106,9 @@ def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
         return
     if _size(obj) != SAME:
         raise InputError(
-            "{object} is scaled, but a strip of another size bends differently. Set its Scale to 1.",
+            "{object} is scaled, but a strip of another size bends differently. Set {box} to 1.",
             object=obj.Label,
+            box=FieldName("Scale"),
         )
     for part, where in parts:
         yield from _copies(part, place * where)

@@ -14,7 +14,7 @@ from freecad.elastica_wb.host.objects import is_sketch
 from freecad.elastica_wb.host.refusal import why_not_made
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError, note
+from elastica_cad.errors import FieldName, InputError, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 
@@ -46,7 +46,7 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
     """Return the curve of a link (object, names of edges), in the coordinates of the feature `follower`."""
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
-        raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
+        raise InputError("the curve is missing: choose a sketch or an edge in {box}", box=FieldName("Curve"))
     edges = [name for name in names if name]
     gap = gap_of(follower)
     if is_sketch(source):

@@ -31,7 +31,7 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
-from elastica_cad.errors import InputError, Listed, note, sentences
+from elastica_cad.errors import FieldName, InputError, Listed, note, sentences
 from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending import Leg, inaccuracies, path_legs
@@ -84,7 +84,7 @@ class BentFeature(Feature):
     def make(self, obj: Any) -> None:
         """Set the shape to the curve of the bent strip."""
         if not is_strip(obj.Strip):
-            raise InputError("The strip is missing. Choose a strip in the property Strip.")
+            raise InputError("The strip is missing. Choose a strip in {box}.", box=FieldName("Strip"))
         rest = strip_of(obj.Strip).rod_to_bend
         leg = way(rest, {name: getattr(obj, name).Value for name in MOVES})
         rod = leg.rod(1.0)
@@ -127,7 +127,8 @@ class SectionFeature(Feature):
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
                 "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in "
-                "the property Closed lines."
+                "{box}.",
+                box=FieldName("Closed"),
             )
         if not curves:
             raise InputError(
@@ -245,7 +246,7 @@ def _curve_to_drag(obj: Any) -> PlaneCurve:
 def _cut_sources(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:
     if not obj.Sources:
         raise InputError(
-            "there is nothing to cut: choose a body, a surface or a mesh in the property Sources"
+            "there is nothing to cut: choose a body, a surface or a mesh in {box}", box=FieldName("Sources")
         )
     source, names = obj.Path or (None, ())
     along = obj.Family == FAMILIES[2] and source is not None

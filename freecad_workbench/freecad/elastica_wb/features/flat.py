@@ -17,7 +17,7 @@ from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.strip_cache import engraved_shape
 
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError
 from elastica_cad.strip.strip import Strip
 
 # distance, mm, between the curve and the flat part
@@ -38,7 +38,7 @@ class FlatFeature(Feature):
     def make(self, obj: Any) -> None:
         """Set the shape to the flat strip with its engraved text."""
         if obj.Strip is None or not is_strip(obj.Strip):
-            raise InputError("The strip is missing. Choose a strip in the property Strip.")
+            raise InputError("The strip is missing. Choose a strip in {box}.", box=FieldName("Strip"))
         strip = _strip_with_slots(obj)
         layer = LAYERS.index(obj.Layer)
         if layer >= len(strip.layers):

@@ -26,7 +26,7 @@ from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.declared import declared
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, FieldName, InputError
 from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
@@ -178,7 +178,7 @@ def strips_model(
     displayed shapes were made.
     """
     if not strips:
-        raise InputError("The model has no strips. Choose strips in the property Strips.")
+        raise InputError("The model has no strips. Choose strips in {box}.", box=FieldName("Strips"))
     places = [
         (strip, _numbers(world)) for obj in strips for strip, world in _placed_strips(obj, as_displayed)
     ]

@@ -399,7 +399,7 @@ def _show_results(obj: Any, strip: Strip, near: NearestRod | None, smoothed: flo
         fails, verdict = breaks, fails
     put(
         obj,
-        Verdict=sentences([fails, verdict, note("There are remarks.") if notes else ""], " "),
+        Verdict=sentences([fails, verdict], " "),
         Reasons=list(dict.fromkeys(notes)),
         Fails=[fault.number for fault in faults],
         Margin=0.0 if stability is None else stability.margin,

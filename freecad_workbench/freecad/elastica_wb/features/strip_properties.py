@@ -27,7 +27,7 @@ from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, 
 from elastica_cad.design.strip_table import StripKeys, read_fields, read_request, scaled_places
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.design.toml_text import toml_text
-from elastica_cad.errors import Force, InputError, Length, Mass, note
+from elastica_cad.errors import FieldName, Force, InputError, Length, Mass, note
 from elastica_cad.form_finding.limits import BOTH_ENDS
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie
@@ -108,7 +108,7 @@ PROPERTIES = (
         "Curve",
         "Largest distance by which smoothing may move the curve; 0 removes only steps and corners, within 0.1 mm",
     ),
-    Property("Bool", "AsDrawn", "Curve", "Keep the curve as drawn, if Smooth is 0"),
+    Property("Bool", "AsDrawn", "Curve", "Keep the curve as drawn, if it is not smoothed"),
     Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
     Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
     *SHEET_PROPERTIES,
@@ -150,7 +150,7 @@ PROPERTIES = (
         "Length",
         "PlacesLength",
         "Mechanics",
-        "Length of the curve to which the places in Between and Loads refer; 0 for the present length",
+        "Length of the curve to which the places of rails, ties and loads refer; 0 for the present length",
         result=True,
         hidden=True,
     ),
@@ -177,14 +177,14 @@ PROPERTIES = (
         5.0,
     ),
     Property("Float", "StrainLimit", "Nearest", "Largest strain in percent; 0 for the limit of the sheet"),
-    Property("Bool", "LimitMargin", "Nearest", "Apply MarginLimit", True),
+    Property("Bool", "LimitMargin", "Nearest", "Apply the least stability margin", True),
     Property("Bool", "LimitStrain", "Nearest", "Apply the strain limit", True),
-    Property("Length", "LeastLength", "Nearest", "Smallest length; applies together with MostLength"),
+    Property("Length", "LeastLength", "Nearest", "Smallest length; applies together with the largest length"),
     Property("Length", "MostLength", "Nearest", "Largest length; 0 for no limits"),
     Property("Length", "MostWidth", "Nearest", "Largest width, which bounds the ratio; 0 for none"),
     Property("Enumeration", "KeepEnds", "Nearest", "Ends that keep their position", KEPT_ENDS),
     Property("Bool", "KeepTangents", "Nearest", "Keep the tangents of both ends"),
-    Property("Enumeration", "TangentEnds", "Nearest", "Ends whose tangents KeepTangents keeps", TANGENT_ENDS),
+    Property("Enumeration", "TangentEnds", "Nearest", "Ends whose tangents are kept", TANGENT_ENDS),
     Property("Bool", "KeepLine", "Nearest", "Keep inflections on the curve's inflection line"),
     Property("FloatList", "InflectionLine", "Nearest", "Two points of another line: x, y, x, y"),
     Property("Length", "StartTab", "Ends", "Length of the tab at the start", TAB_LENGTH),
@@ -461,12 +461,12 @@ def _lines(lines: Iterable[str], name: str, example: str) -> list[dict[str, Any]
 
 def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
     require_choices(obj, PROPERTIES)
-    lengths = {name: getattr(obj, name).Value for name in LENGTHS}
-    for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
+    lengths = {FieldName(name): getattr(obj, name).Value for name in LENGTHS}
+    for name, value in (lengths | {note("the length of the curve"): drawn.curve.length}).items():
         if value > LONGEST_MM:
             raise InputError(
                 "{name} is {size}, more than a hundred metres. Check its unit.",
-                name=note(name),
+                name=name,
                 size=Length(value),
             )
     if 0 < lengths["Thickness"] < THINNEST_MM:
@@ -548,9 +548,9 @@ def _range(obj: Any, kind: str) -> list[float] | None:
         return None
     if not 0 < least <= most:
         raise InputError(
-            "Least{name} is {least:g} and Most{name} is {most:g}. Set both: Least{name} above 0 and at most "
-            "Most{name}.",
-            name=kind,
+            "{low} is {least:g} and {high} is {most:g}. Set both: {low} above 0 and at most {high}.",
+            low=FieldName(f"Least{kind}"),
+            high=FieldName(f"Most{kind}"),
             least=Length(least),
             most=Length(most),
         )

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from freecad.elastica_wb.host.qt import QtCore, QtGui
+from freecad.elastica_wb.host.words import worded
+
+from elastica_cad.errors import note
 
 WIDTH_PX, HEIGHT_PX, LEFT_PX, EDGE_PX, LINE_PX = 300, 170, 44, 22, 2
 INK, LINE, MARK = "#222222", "#1f5fa8", "#c2571a"
@@ -33,8 +36,8 @@ def line_chart(x: Sequence[float], y: Sequence[float], names: tuple[str, str], m
     name_px = painter.fontMetrics().boundingRect(names[0]).width()
     painter.drawText(QtCore.QPointF(WIDTH_PX - name_px - 6, below), names[0])
     for value in dict.fromkeys((low, 0.0, high)):
-        painter.drawText(QtCore.QPointF(4, place(0.0, value).y() + 4), f"{value:.3g}")
-    painter.drawText(QtCore.QPointF(place(end, 0.0).x() - 12, place(end, 0.0).y() - 4), f"{end:.3g}")
+        painter.drawText(QtCore.QPointF(4, place(0.0, value).y() + 4), _number(value))
+    painter.drawText(QtCore.QPointF(place(end, 0.0).x() - 12, place(end, 0.0).y() - 4), _number(end))
     if mark is not None:
         painter.setPen(QtGui.QPen(QtGui.QColor(MARK), 1, QtCore.Qt.DashLine))
         painter.drawLine(place(mark, low), place(mark, high))
@@ -42,3 +45,7 @@ def line_chart(x: Sequence[float], y: Sequence[float], names: tuple[str, str], m
     painter.drawPolyline(QtGui.QPolygonF([place(a, b) for a, b in zip(x, y, strict=True)]))
     painter.end()
     return picture
+
+
+def _number(value: float) -> str:
+    return worded(note("{number:.3g}", number=value))

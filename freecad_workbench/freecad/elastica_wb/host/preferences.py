@@ -22,7 +22,6 @@ DEFAULTS: dict[str, Any] = {
     "Tolerance": 0.02,
     "LiveMode": True,
     "LiveNearest": True,
-    "CardFolded": False,
     "ExportFolder": "",
 }
 """Default of every preference. Its type is the type of the preference."""

@@ -14,7 +14,7 @@ from freecad.elastica_wb.host.words import capital, packed, unpacked, worded
 
 from elastica_cad.declared import Field
 from elastica_cad.design.records import written
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FieldName, InputError
 
 # FreeCAD's flags for properties that cause no recompute, and for properties that are not saved
 OUTPUT, TRANSIENT = 8, 2
@@ -126,10 +126,9 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
         value = obj.evalExpression(formula)
     except Exception as error:  # FreeCAD raises errors of many classes
         raise InputError(
-            "FreeCAD cannot compute the formula of the property {name} ({formula}). Correct or remove the "
-            "formula.",
-            name=name,
-            formula=formula,
+            "FreeCAD cannot compute the formula of {box} ({reason}). Correct or remove the formula.",
+            box=FieldName(name),
+            reason=formula,
         ) from error
     if not _is_choice(value, choices):
         called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"

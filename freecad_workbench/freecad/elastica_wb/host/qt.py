@@ -16,6 +16,7 @@ except ImportError:
     from PySide2 import QtWidgets
 
 __all__ = [
+    "BUTTON_LETTERS",
     "EscapeKey",
     "InputLater",
     "QtCore",
@@ -29,6 +30,8 @@ __all__ = [
 
 # since Qt 6, QAction is in QtGui
 ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction
+# largest number of letters in a line of a button in a panel
+BUTTON_LETTERS = 32
 # interval, ms, between checks whether a recompute has ended
 AGAIN_MS = 20
 

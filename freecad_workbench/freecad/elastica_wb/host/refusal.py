@@ -21,7 +21,7 @@ from FreeCAD import Base
 from freecad.elastica_wb.host.objects import is_ours
 from freecad.elastica_wb.host.words import worded
 
-from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError, note
+from elastica_cad.errors import ElasticaError, FieldName, InputError, MissingDependencyError, note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """Exceptions that `execute` turns into messages. Any other exception is a bug."""
@@ -155,8 +155,8 @@ def why_not_computed(obj: Any) -> str:
         return ""
     reason = " ".join(match[1].split())
     return worded(note(
-        "FreeCAD cannot compute the formula of the property {property} ({reason}). Correct or remove the formula.",
-        property=match[2], reason=reason,
+        "FreeCAD cannot compute the formula of {box} ({reason}). Correct or remove the formula.",
+        box=FieldName(match[2]), reason=reason,
     ))  # fmt: skip
 
 
@@ -175,9 +175,9 @@ def broken_link_message(obj: Any) -> str:
             object=obj.Label, lost=lost[1], file=lost[2],
         )  # fmt: skip
     return note(
-        "{object} links to a deleted object. Choose another object in its property LinkedObject, or delete "
-        "the link.",
+        "{object} links to a deleted object. Choose another object in {box}, or delete the link.",
         object=obj.Label,
+        box=FieldName("LinkedObject"),
     )
 
 
@@ -189,9 +189,10 @@ def _message_of_other_object(obj: Any) -> str:
     file = getattr(obj, "FileName", "")
     if isinstance(file, str) and file and not os.path.exists(file):
         return note(
-            "{object} reads {file}, which is missing. Restore the file or set another FileName, and "
+            "{object} reads {file}, which is missing. Restore the file, or choose another file in {box}, and "
             "recompute the document.",
             object=obj.Label,
+            box=FieldName("FileName"),
             file=file,
         )
     return note(

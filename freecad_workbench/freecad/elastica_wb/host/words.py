@@ -7,13 +7,14 @@ FreeCAD. Equal messages on several objects are joined.
 A message is a record with an English template and values. A catalogue has translations of templates.
 """
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from numbers import Real
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 
 from elastica_cad import errors
 from elastica_cad._text import printable
@@ -25,16 +26,23 @@ NAMES = {
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "nest.sheet_size": "SheetWidth",
     "supports.start": "StartSupport", "supports.end": "EndSupport",
     "limits": "Follow", "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
+    "pad.length": "PadLength", **dict.fromkeys(("feet", "full", "second_state", "shop.lap"), ""),
 }  # fmt: skip
-"""Names of properties that are not derived from keys, because users' files contain them."""
+"""Names of properties that are not derived from keys, because users' files contain them.
+
+The name "" marks a key that only design files have.
+"""
 
 
 def name_of(path: str) -> str:
-    """Return the name of the property for a key, such as MaxWidth, RatioLimit or KeepLength."""
+    """Return the name of the property for a key, such as MaxWidth, RatioLimit or KeepLength.
+
+    The name of a property is returned unchanged.
+    """
     if path in NAMES:
         return NAMES[path]
     table, _, key = path.rpartition(".")
-    name = key.title().replace("_", "")
+    name = "".join(word[:1].upper() + word[1:] for word in key.split("_"))
     if table == "limits":
         return f"{name}Limit"
     return f"Keep{name}" if table == "keep" else name
@@ -66,10 +74,18 @@ class Words(Translated):
         self.unit, self.size, self.point = unit.name, unit.size, point
 
     def field(self, name: str) -> str:
-        """Return the name of the property of a field, or of the command that draws the curve of a nearest rod."""
-        if name == "rod.curve":
-            return translate("Elastica_Nearest", "Nearest curve to sketch")
-        return name_of(name)
+        """Return the label of the box for a field, in quotes.
+
+        A field without a box is named as in the property editor, or as in design files if it has no property.
+        """
+        called = name_of(name)
+        label = LABELS.get(name) or LABELS.get(called)
+        if label:
+            return self.template('"{box}"').format(box=translate("Elastica", label))
+        if not called:
+            return self.template('key "{key}" of a design file').format(key=name)
+        spaced = re.sub("(?<=[a-z])(?=[A-Z])", " ", called)  # as FreeCAD's property editor shows names
+        return self.template('property "{name}"').format(name=translate("App::Property", spaced))
 
     def format_field(self, value: Any, spec: str) -> str:
         """Return the text of a value in a message.
@@ -77,7 +93,11 @@ class Words(Translated):
         A value of the class `MaterialWidth` is shown as the property MaterialWidth, which limits the width of
         ligaments or a backing. In design files, this limit is the field `max_width`.
         """
-        return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
+        return (
+            self.field("MaterialWidth")
+            if isinstance(value, MaterialWidth)
+            else super().format_field(value, spec)
+        )
 
 
 def user_language() -> str:
@@ -173,3 +193,88 @@ def report_error(sentence: str, who: str = "") -> None:
 
 def _line(sentence: str, who: str) -> str:
     return f"Elastica, {who}: {worded(sentence)}\n" if who else f"Elastica: {worded(sentence)}\n"
+
+
+LABELS = {
+    "Anyway": QT_TRANSLATE_NOOP("Elastica", "Make it anyway"),
+    "AsDrawn": QT_TRANSLATE_NOOP("Elastica", "Keep the curve as drawn"),
+    "Axis": QT_TRANSLATE_NOOP("Elastica", "Axis"),
+    "Backing": QT_TRANSLATE_NOOP("Elastica", "Backing"),
+    "Border": QT_TRANSLATE_NOOP("Elastica", "Border"),
+    "Clearance": QT_TRANSLATE_NOOP("Elastica", "Clearance"),
+    "Closed": QT_TRANSLATE_NOOP("Elastica", "Closed lines"),
+    "Columns": QT_TRANSLATE_NOOP("Elastica", "Columns of holes"),
+    "Count": QT_TRANSLATE_NOOP("Elastica", "Number"),
+    "Curve": QT_TRANSLATE_NOOP("Elastica", "Curve"),
+    "Ends": QT_TRANSLATE_NOOP("Elastica", "Ends held"),
+    "EndSupport": QT_TRANSLATE_NOOP("Elastica", "End is held"),
+    "EndTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the end"),
+    "EngravedText": QT_TRANSLATE_NOOP("Elastica", "Engraved text"),
+    "Family": QT_TRANSLATE_NOOP("Elastica", "Planes"),
+    "Fillet": QT_TRANSLATE_NOOP("Elastica", "Radius at the pads"),
+    "Fit": QT_TRANSLATE_NOOP("Elastica", "Width of slots"),
+    "Follow": QT_TRANSLATE_NOOP("Elastica", "Follow the curve"),
+    "Foot": QT_TRANSLATE_NOOP("Elastica", "Foot (0 = none)"),
+    "FootHeight": QT_TRANSLATE_NOOP("Elastica", "Height of the foot"),
+    "Form": QT_TRANSLATE_NOOP("Elastica", "Shape shown"),
+    "Free": QT_TRANSLATE_NOOP("Elastica", "State without forces"),
+    "Gap": QT_TRANSLATE_NOOP("Elastica", "Gap (0 = one ring)"),
+    "Gravity": QT_TRANSLATE_NOOP("Elastica", "Own weight"),
+    "Height": QT_TRANSLATE_NOOP("Elastica", "Height of its upper face"),
+    "Hole": QT_TRANSLATE_NOOP("Elastica", "Hole"),
+    "Interlock": QT_TRANSLATE_NOOP("Elastica", "Cut slots where strips cross"),
+    "KeepEnds": QT_TRANSLATE_NOOP("Elastica", "Keep the ends"),
+    "KeepLength": QT_TRANSLATE_NOOP("Elastica", "Keep the length"),
+    "KeepSymmetry": QT_TRANSLATE_NOOP("Elastica", "Keep the symmetry"),
+    "KeepTangents": QT_TRANSLATE_NOOP("Elastica", "Keep end tangents"),
+    "Kerf": QT_TRANSLATE_NOOP("Elastica", "Kerf"),
+    "Layer": QT_TRANSLATE_NOOP("Elastica", "Layer"),
+    "LeastThickness": QT_TRANSLATE_NOOP("Elastica", "Thinnest place (0 = automatic)"),
+    "LimitMargin": QT_TRANSLATE_NOOP("Elastica", "Must be stable"),
+    "limits": QT_TRANSLATE_NOOP("Elastica", "Follow the curve: Nearest"),
+    "LimitStrain": QT_TRANSLATE_NOOP("Elastica", "Must not break"),
+    "Margin": QT_TRANSLATE_NOOP("Elastica", "Distance between parts"),
+    "MarginLimit": QT_TRANSLATE_NOOP("Elastica", "Least stability margin"),
+    "Match": QT_TRANSLATE_NOOP("Elastica", "Equal lengths: keep"),
+    "MaxWidth": QT_TRANSLATE_NOOP("Elastica", "Largest width"),
+    "MinWidth": QT_TRANSLATE_NOOP("Elastica", "Least width"),
+    "Notch": QT_TRANSLATE_NOOP("Elastica", "Notches"),
+    "Objective": QT_TRANSLATE_NOOP("Elastica", "Largest thickness or least ratio"),
+    "OuterWidth": QT_TRANSLATE_NOOP("Elastica", "Outer width"),
+    "Outline": QT_TRANSLATE_NOOP("Elastica", "Outline"),
+    "PadHole": QT_TRANSLATE_NOOP("Elastica", "Holes in pads"),
+    "PadInset": QT_TRANSLATE_NOOP("Elastica", "Holes from the ends of pads"),
+    "PadLength": QT_TRANSLATE_NOOP("Elastica", "Length of pads"),
+    "PadWidth": QT_TRANSLATE_NOOP("Elastica", "Width of pads"),
+    "Play": QT_TRANSLATE_NOOP("Elastica", "Play beside tabs"),
+    "Printed": QT_TRANSLATE_NOOP("Elastica", "Printed"),
+    "PushAt": QT_TRANSLATE_NOOP("Elastica", "Pushed at (0 = middle)"),
+    "Quantity": QT_TRANSLATE_NOOP("Elastica", "Quantity"),
+    "RatioLimit": QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio"),
+    "Relief": QT_TRANSLATE_NOOP("Elastica", "Inner ends of slots"),
+    "rod.curve": QT_TRANSLATE_NOOP("Elastica", "Nearest curve to sketch"),
+    "Rows": QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = automatic)"),
+    "Screw": QT_TRANSLATE_NOOP("Elastica", "Screw holes (0 = none)"),
+    "Sheet": QT_TRANSLATE_NOOP("Elastica", "Sheet"),
+    "SheetHeight": QT_TRANSLATE_NOOP("Elastica", "Sheet height"),
+    "SheetWidth": QT_TRANSLATE_NOOP("Elastica", "Sheet width"),
+    "Smooth": QT_TRANSLATE_NOOP("Elastica", "Smooth the curve by"),
+    "StartSupport": QT_TRANSLATE_NOOP("Elastica", "Start is held"),
+    "StartTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the start"),
+    "StrainLimit": QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)"),
+    "Style": QT_TRANSLATE_NOOP("Elastica", "Style"),
+    "Sweep": QT_TRANSLATE_NOOP("Elastica", "Spread over"),
+    "TabHole": QT_TRANSLATE_NOOP("Elastica", "Hole in tabs"),
+    "TabRadius": QT_TRANSLATE_NOOP("Elastica", "Rounding of tabs"),
+    "Thickness": QT_TRANSLATE_NOOP("Elastica", "Thickness"),
+    "ThroughX": QT_TRANSLATE_NOOP("Elastica", "Axis at x"),
+    "ThroughY": QT_TRANSLATE_NOOP("Elastica", "Axis at y"),
+    "ThroughZ": QT_TRANSLATE_NOOP("Elastica", "Axis at z"),
+    "Tolerance": QT_TRANSLATE_NOOP("Elastica", "Tolerance"),
+    "Wall": QT_TRANSLATE_NOOP("Elastica", "Wall"),
+    "Waves": QT_TRANSLATE_NOOP("Elastica", "Smooth waves below"),
+}
+"""Labels of boxes in panels, which messages also use, by the name of the property.
+
+For "limits" and "rod.curve", which are keys of messages, the label is a choice and a command.
+"""

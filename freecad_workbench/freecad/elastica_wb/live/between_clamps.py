@@ -22,7 +22,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.preview import Place, Preview
 from freecad.elastica_wb.live.sketches import edited_sketch
-from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, free_part, heading_style
+from freecad.elastica_wb.live.verdict_card import GAP_PX, free_part, heading_style
 from freecad.elastica_wb.recording import record_call, recorded
 from freecad.elastica_wb.solving.verdicts import Verdict
 from freecad.elastica_wb.undo_steps import close_step, open_step
@@ -206,6 +206,11 @@ def stop() -> None:
 WIDE_PX = 300
 # delay, ms, between the last key and the use of the length
 PAUSE_MS = 150
+STYLE = """
+#ElasticaVerdict { background: rgba(32, 33, 38, 230); border: 1px solid rgba(255, 255, 255, 60); }
+#ElasticaVerdict QLabel { padding: 1px 8px; color: #f2f2f2; background: transparent; }
+"""
+"""Style of the card: white on dark in every theme, because the view behind it may have any colour."""
 
 
 class LengthCard(QtCore.QObject):

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.strip_cache import find_rod
-from freecad.elastica_wb.solving.verdicts import Answer, Verdict, quick_answer, refusal_answer
+from freecad.elastica_wb.solving.verdicts import OFF_LINE, Answer, quick_answer, refusal_answer
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, Length
@@ -28,8 +27,6 @@ TEETH = 161
 COMB_HEIGHT = 0.2
 # length of the inflection line and the thrust line beyond the curve, as a fraction of its size
 LINE_MARGIN = 0.15
-# tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length
-ON_LINE = 1e-4
 
 
 Point = tuple[float, float]
@@ -92,13 +89,12 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         smoothing, check = rod_spec.smoothing, rod_spec.check
         acting = (*rod_spec.elements, *rod_spec.forces)
     except ElasticaError as error:
-        cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
-        return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
+        return Picture(refusal_answer(error), False, *_combs(curve.sample(TEETH), spec, scale))
     drawn_curve = smoothing.curve if smoothing.moved else curve
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
-    good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
+    good = [s for s, d in places.items() if abs(d) <= OFF_LINE * check.length]
     bad = [s for s in places if s not in good]
     met = [*check.crossings, *check.touches]
     positions = [*good, *bad, *met]

@@ -4,7 +4,6 @@
 """Live feedback on an open sketch at every move of the mouse. *Keep it possible* moves poles back."""
 
 import time
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -45,7 +44,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     nearest_to_drag,
     solve_strip,
 )
-from freecad.elastica_wb.solving.verdicts import Answer, Verdict, refusal_answer, strip_answer
+from freecad.elastica_wb.solving.verdicts import Answer, Verdict, answer_of, refusal_answer, strip_answer
 from freecad.elastica_wb.undo_steps import close_step, open_step
 from pivy import coin
 
@@ -81,10 +80,10 @@ _session: "Session | None" = None
 class Session:
     """Controller of the overlay of a sketch while the sketch is edited."""
 
-    def __init__(self, sketch: Any, view: Any) -> None:
+    def __init__(self, sketch: Any, view: Any, layout: Any = None) -> None:
         self.sketch = sketch
         self.overlay = Overlay(view, sketch.getGlobalPlacement())
-        self.card = VerdictCard(view, self.use_nearest)
+        self.card = VerdictCard(view, self.use_nearest, layout)
         self._placement = sketch.getGlobalPlacement()
         self.times: list[float] = []
         self.moves = 0
@@ -162,10 +161,8 @@ class Session:
             return False
 
         def possible(poles: FloatArray) -> FloatArray | None:
-            with suppress(*FAILURES):
-                solve_strip(spec.changed(curve=curve.with_control_points(poles)))
-                return poles
-            return None
+            answer = answer_of(spec.changed(curve=curve.with_control_points(poles)))
+            return poles if answer.verdict is Verdict.CAN else None
 
         now, last = _Possible(curve, _driving_constraints(self.sketch)), self._possible
         if possible(curve.control_points) is not None:
@@ -235,9 +232,10 @@ class Session:
         self.near = None
         self.card.offer("")
         self.overlay.show_nearest()
+        self._geometry = geometry
         try:
             gap = gap_of(*sketches.followers(self.sketch))
-            self._curve, self._geometry = sketch_curve(self.sketch, geometry, gap), geometry
+            self._curve = sketch_curve(self.sketch, geometry, gap)
             spec = self._spec()
             if self._scale is None:
                 self._scale = comb_scale(self._curve)
@@ -349,7 +347,7 @@ class Session:
             )
             self.card.offer(translate("Elastica", "Use the nearest curve"))
         self._show_answer(
-            replace(self.card.answer, sentence=sentences([self.card.answer.sentence, message], "\n"))
+            replace(self.card.answer, sentence=sentences([message, self.card.answer.sentence], "\n"))
         )
 
     def _spec(self) -> StripSpec:
@@ -369,6 +367,19 @@ class Session:
         cost = self._cost if poles.shape == self._placed.shape and np.allclose(poles, self._placed) else ""
         self.sentence = worded(sentences([answer.sentence, cost], "\n"))
         self.card.show(answer, self.sentence, self.overlay.shown())
+        if self._geometry is None:  # during a drag, the pole may still return to a possible position
+            self.card.allow_keep(self._why_not_kept(answer))
+
+    def _why_not_kept(self, answer: Answer) -> str:
+        if self._curve is None:
+            return translate("Elastica", "First draw a single curve.")
+        if answer.verdict is Verdict.CAN:
+            return ""
+        return (
+            translate("Elastica", "First use the nearest curve.")
+            if answer.curve_helps
+            else translate("Elastica", "First make the strip possible.")
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -404,14 +415,17 @@ def session() -> Session | None:
     return _session
 
 
-def start(sketch: Any) -> Session | None:
-    """Show the overlay of a sketch, which need not be open."""
+def start(sketch: Any, layout: Any = None) -> Session | None:
+    """Show the overlay of a sketch, which need not be open.
+
+    The verdict is shown in the layout, or by default below the messages of the sketcher.
+    """
     global _session  # noqa: PLW0603 - a view shows only one overlay
     stop()
     view = Gui.getDocument(sketch.Document.Name).activeView()
     if view is None or not hasattr(view, "getSceneGraph"):
         return None
-    _session = Session(sketch, view)
+    _session = Session(sketch, view, layout)
     _notify_listeners(True)
     return _session
 

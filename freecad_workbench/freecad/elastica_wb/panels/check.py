@@ -33,7 +33,7 @@ class CheckPanel(Panel):
         self.show_message(verdicts[0] if single else "\n\n".join(together(zip(names, verdicts, strict=True))))
         source, edges = curves[0]
         if single and is_sketch(source) and not edges:
-            live.start(source)
+            live.start(source, self.form.layout())
 
 
 def _verdict(link: tuple[Any, tuple[str, ...]]) -> str:

@@ -66,6 +66,7 @@ STRIP = Layout(
             "MinWidth",
             "Smooth",
             "AsDrawn",
+            "Anyway",
         ),
         QT_TRANSLATE_NOOP("Elastica", "Style"): ("Style", "OuterWidth", "Columns", "Rows", "Backing", "Form"),
         QT_TRANSLATE_NOOP("Elastica", "Nearest curve"): (
@@ -181,6 +182,7 @@ NEAREST = Layout(
     {
         QT_TRANSLATE_NOOP("Elastica", "Limits"): (
             "Sheet",
+            "Thickness",
             "RatioLimit",
             "LimitMargin",
             "MarginLimit",
@@ -188,6 +190,7 @@ NEAREST = Layout(
             "StrainLimit",
         ),
         QT_TRANSLATE_NOOP("Elastica", "Keep"): ("KeepEnds", "KeepTangents", "KeepLength", "KeepSymmetry"),
+        QT_TRANSLATE_NOOP("Elastica", "Ends and weight"): ("StartSupport", "EndSupport", "Gravity"),
     },
     NearestFeature.properties,
     {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
@@ -248,6 +251,7 @@ FLEXURE = Layout(
             "PadWidth",
             "PadHole",
             "PadInset",
+            "Anyway",
             "EngravedText",
             "Quantity",
         ),

@@ -22,11 +22,11 @@ from freecad.elastica_wb.live.preview import Preview
 from freecad.elastica_wb.live.sketches import followers
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import recorded
-from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
-from freecad.elastica_wb.solving.verdicts import sentence_of, strip_answer
+from freecad.elastica_wb.solving.strip_cache import default_spec
+from freecad.elastica_wb.solving.verdicts import answer_of
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError, sentences
+from elastica_cad.errors import sentences
 from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.strip.strip_spec import StripSpec
 
@@ -75,12 +75,7 @@ class ProjectivePanel(Panel):
         """Read the typed numbers, transform the curve, and describe its strip."""
         self._typed()
         self.pull()
-        try:
-            self.show_message(
-                sentences([strip_answer(solve_strip(self._spec())).sentence, self._warning()], "")
-            )
-        except ElasticaError as error:
-            self.show_message(sentences([sentence_of(error), self._warning()], ""))
+        self.show_message(sentences([answer_of(self._spec()).sentence, self._warning()], ""))
 
     def pull(self) -> None:
         """Transform the curve by the handles and show whether it can be bent."""

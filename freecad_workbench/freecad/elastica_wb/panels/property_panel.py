@@ -27,11 +27,11 @@ from freecad.elastica_wb.host.fields import (
 from freecad.elastica_wb.host.objects import is_sketch, is_strip, lives
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.property_table import Property, reword
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
+from freecad.elastica_wb.host.qt import BUTTON_LETTERS, QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.sheet_store import title_of
-from freecad.elastica_wb.host.words import report_error, together, worded
+from freecad.elastica_wb.host.words import LABELS, report_error, together, worded
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.overlay import COLORS, Overlay
 from freecad.elastica_wb.panels.panel import Panel, active_view
@@ -60,7 +60,6 @@ STYLES = {
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
 NONE_FOUND = note("No change was found that makes the strip possible. Follow the instruction above.")
-BUTTON_LETTERS = 32
 MOST_SUGGESTED = 5
 
 
@@ -492,76 +491,3 @@ def _tip(lines: Iterable[str]) -> str:
 
 def _plain(value: Any) -> Any:
     return getattr(value, "Value", value)
-
-
-LABELS = {
-    "Axis": QT_TRANSLATE_NOOP("Elastica", "Axis"),
-    "Backing": QT_TRANSLATE_NOOP("Elastica", "Backing"),
-    "Border": QT_TRANSLATE_NOOP("Elastica", "Border"),
-    "Clearance": QT_TRANSLATE_NOOP("Elastica", "Clearance"),
-    "Closed": QT_TRANSLATE_NOOP("Elastica", "Closed lines"),
-    "Columns": QT_TRANSLATE_NOOP("Elastica", "Columns of holes"),
-    "Count": QT_TRANSLATE_NOOP("Elastica", "Number"),
-    "EndSupport": QT_TRANSLATE_NOOP("Elastica", "End is held"),
-    "EndTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the end"),
-    "Ends": QT_TRANSLATE_NOOP("Elastica", "Ends held"),
-    "Fillet": QT_TRANSLATE_NOOP("Elastica", "Radius at the pads"),
-    "Free": QT_TRANSLATE_NOOP("Elastica", "State without forces"),
-    "LeastThickness": QT_TRANSLATE_NOOP("Elastica", "Thinnest place (0 = automatic)"),
-    "Match": QT_TRANSLATE_NOOP("Elastica", "Equal lengths: keep"),
-    "Objective": QT_TRANSLATE_NOOP("Elastica", "Largest thickness or least ratio"),
-    "PadHole": QT_TRANSLATE_NOOP("Elastica", "Holes in pads"),
-    "PadInset": QT_TRANSLATE_NOOP("Elastica", "Holes from the ends of pads"),
-    "PadLength": QT_TRANSLATE_NOOP("Elastica", "Length of pads"),
-    "PadWidth": QT_TRANSLATE_NOOP("Elastica", "Width of pads"),
-    "Printed": QT_TRANSLATE_NOOP("Elastica", "Printed"),
-    "PushAt": QT_TRANSLATE_NOOP("Elastica", "Pushed at (0 = middle)"),
-    "EngravedText": QT_TRANSLATE_NOOP("Elastica", "Engraved text"),
-    "Family": QT_TRANSLATE_NOOP("Elastica", "Planes"),
-    "Fit": QT_TRANSLATE_NOOP("Elastica", "Width of slots"),
-    "Follow": QT_TRANSLATE_NOOP("Elastica", "Follow the curve"),
-    "Foot": QT_TRANSLATE_NOOP("Elastica", "Foot (0 = none)"),
-    "FootHeight": QT_TRANSLATE_NOOP("Elastica", "Height of the foot"),
-    "Form": QT_TRANSLATE_NOOP("Elastica", "Shape shown"),
-    "Gap": QT_TRANSLATE_NOOP("Elastica", "Gap (0 = one ring)"),
-    "Gravity": QT_TRANSLATE_NOOP("Elastica", "Own weight"),
-    "Interlock": QT_TRANSLATE_NOOP("Elastica", "Cut slots where strips cross"),
-    "KeepEnds": QT_TRANSLATE_NOOP("Elastica", "Keep the ends"),
-    "KeepLength": QT_TRANSLATE_NOOP("Elastica", "Keep the length"),
-    "KeepSymmetry": QT_TRANSLATE_NOOP("Elastica", "Keep the symmetry"),
-    "KeepTangents": QT_TRANSLATE_NOOP("Elastica", "Keep end tangents"),
-    "Layer": QT_TRANSLATE_NOOP("Elastica", "Layer"),
-    "LimitMargin": QT_TRANSLATE_NOOP("Elastica", "Must be stable"),
-    "LimitStrain": QT_TRANSLATE_NOOP("Elastica", "Must not break"),
-    "Margin": QT_TRANSLATE_NOOP("Elastica", "Distance between parts"),
-    "MarginLimit": QT_TRANSLATE_NOOP("Elastica", "Least stability margin"),
-    "MaxWidth": QT_TRANSLATE_NOOP("Elastica", "Largest width"),
-    "MinWidth": QT_TRANSLATE_NOOP("Elastica", "Least width"),
-    "OuterWidth": QT_TRANSLATE_NOOP("Elastica", "Outer width"),
-    "Outline": QT_TRANSLATE_NOOP("Elastica", "Outline"),
-    "Play": QT_TRANSLATE_NOOP("Elastica", "Play beside tabs"),
-    "Quantity": QT_TRANSLATE_NOOP("Elastica", "Quantity"),
-    "RatioLimit": QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio"),
-    "Relief": QT_TRANSLATE_NOOP("Elastica", "Inner ends of slots"),
-    "Rows": QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = automatic)"),
-    "Screw": QT_TRANSLATE_NOOP("Elastica", "Screw holes (0 = none)"),
-    "Sheet": QT_TRANSLATE_NOOP("Elastica", "Sheet"),
-    "SheetHeight": QT_TRANSLATE_NOOP("Elastica", "Sheet height"),
-    "SheetWidth": QT_TRANSLATE_NOOP("Elastica", "Sheet width"),
-    "Smooth": QT_TRANSLATE_NOOP("Elastica", "Smooth the curve by"),
-    "AsDrawn": QT_TRANSLATE_NOOP("Elastica", "Keep the curve as drawn"),
-    "StartSupport": QT_TRANSLATE_NOOP("Elastica", "Start is held"),
-    "StartTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the start"),
-    "StrainLimit": QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)"),
-    "Style": QT_TRANSLATE_NOOP("Elastica", "Style"),
-    "Sweep": QT_TRANSLATE_NOOP("Elastica", "Spread over"),
-    "TabHole": QT_TRANSLATE_NOOP("Elastica", "Hole in tabs"),
-    "TabRadius": QT_TRANSLATE_NOOP("Elastica", "Rounding of tabs"),
-    "Thickness": QT_TRANSLATE_NOOP("Elastica", "Thickness"),
-    "ThroughX": QT_TRANSLATE_NOOP("Elastica", "Axis at x"),
-    "ThroughY": QT_TRANSLATE_NOOP("Elastica", "Axis at y"),
-    "ThroughZ": QT_TRANSLATE_NOOP("Elastica", "Axis at z"),
-    "Tolerance": QT_TRANSLATE_NOOP("Elastica", "Tolerance"),
-    "Wall": QT_TRANSLATE_NOOP("Elastica", "Wall"),
-    "Waves": QT_TRANSLATE_NOOP("Elastica", "Smooth waves below"),
-}

@@ -33,7 +33,7 @@ from freecad.elastica_wb.solving.verdicts import Answer, refusal_answer
 from freecad.elastica_wb.strip_report import strip_rows
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, FieldName, InputError
 from elastica_cad.mechanics.elements import Pin, PlacedElement, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass, Weight
 
@@ -85,7 +85,8 @@ class RailsPanel(Panel):
         self.spec = spec_of(obj, self.drawn)
         if isinstance(self.spec.loads, Weight):
             raise InputError(
-                "The property WeightLaw already gives the loads of {strip}. Clear this property first.",
+                "{box} already gives the loads of {strip}. Clear it first.",
+                box=FieldName("WeightLaw"),
                 strip=obj.Label,
             )
         self.items, self.chosen = [*self.spec.between, *self.spec.loads], 0

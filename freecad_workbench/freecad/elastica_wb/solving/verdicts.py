@@ -10,7 +10,7 @@ from enum import Enum
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import together
-from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
+from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend, solve_strip
 
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import (
@@ -25,12 +25,15 @@ from elastica_cad.errors import (
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain, sharp_bend_message
-from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, lengths
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 SLENDER = 2.0
 """Least ratio of length to width of a strip that can be modelled as a rod."""
+
+OFF_LINE = 1e-4
+"""Tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
 """A step of the width is visible if it exceeds both limits: in mm, and as a fraction of the width."""
@@ -144,14 +147,18 @@ def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
     """Return the result of the fast checks: equilibrium, surface strain, widths."""
-    if check.undecided is not None:
-        return _undecided(check)
-    if not check.realizable:
-        return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(check))
+    if check.undecided is not None or not check.realizable:
+        return _impossible(check)
     fault = width_fault(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
-    return (
-        _failing([fault]) if fault else Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
-    )
+    return _failing([fault]) if fault else Answer(Verdict.CAN, translate("Elastica", "can"), check.verdict)
+
+
+def answer_of(spec: StripSpec) -> Answer:
+    """Return the result of the checks of the strip that a request describes."""
+    try:
+        return strip_answer(solve_strip(spec))
+    except ElasticaError as error:
+        return refusal_answer(error)
 
 
 def strip_answer(strip: Strip) -> Answer:
@@ -160,7 +167,7 @@ def strip_answer(strip: Strip) -> Answer:
     if faults:
         return _failing(faults)
     if check is not None and check.undecided is not None:
-        return _undecided(check)
+        return _impossible(check)
     return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
 
 
@@ -176,34 +183,42 @@ def _failing(faults: list[Fault]) -> Answer:
 def refusal_answer(error: ElasticaError) -> Answer:
     """Return the result for an error caused by the curve or an option of the strip."""
     if isinstance(error, NotRealizable):
-        if isinstance(error.check, EquilibriumCheck) and error.check.undecided is not None:
-            return _undecided(error.check)
-        return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(error))
-    if isinstance(error, StrainError):
-        words = note("would break: {percent} % of the strain limit", percent=error.refusal.values["percent"])
-        return Answer(Verdict.BREAKS, words, sentence_of(error))
-    return Answer(Verdict.BREAKS, translate("Elastica", "cannot be made"), sentence_of(error))
+        return _impossible(error.check)
+    sentence = str(error)
+    words = (
+        note("would break: {percent} % of the strain limit", percent=error.refusal.values["percent"])
+        if isinstance(error, StrainError)
+        else note("cannot be made: {reason}", reason=sentence)
+    )
+    return Answer(Verdict.BREAKS, words, sentence)
 
 
-def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
-    """Return a sentence on the result of a check, on a strip that can be made, or on an error."""
-    if isinstance(answer, Strip):
-        return note(
-            "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, "
-            "strain {used} % of the sheet's limit." if is_bent_beforehand(answer) else
-            "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain "
-            "{used} % of the sheet's limit.",
-            width=Span.of(*answer.width.extremes), ratio=answer.rod.ratio, used=answer.strain_verdict.percent,
-        )  # fmt: skip
-    if isinstance(answer, NotRealizable):
-        return answer.check.reasons[0]
-    if isinstance(answer, ElasticaError):
-        return str(answer)
-    return answer.reasons[0] if answer.reasons else answer.verdict
+def sentence_of(strip: Strip) -> str:
+    """Return a sentence on a strip that can be made."""
+    return note(
+        "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} "
+        "% of the sheet's limit." if is_bent_beforehand(strip) else
+        "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
+        "of the sheet's limit.",
+        width=Span.of(*strip.width.extremes), ratio=strip.rod.ratio, used=strip.strain_verdict.percent,
+    )  # fmt: skip
 
 
-def _undecided(check: EquilibriumCheck) -> Answer:
-    return Answer(Verdict.BREAKS, note("undecided"), check.verdict)
+def _impossible(check: EquilibriumCheck) -> Answer:
+    """Return the result for a curve that no strip can take, or whose points do not decide this."""
+    if check.undecided is not None:
+        return Answer(Verdict.BREAKS, note("undecided"), check.verdict)
+    reason, places = check.reasons[0], lengths([*check.crossings, *check.touches])
+    off = max((abs(distance) for _, distance in check.off_line), default=0.0)
+    if len(check.reasons) > 1:
+        words = reason
+    elif places:
+        words = note("the inflection line meets the curve at {places}", places=places)
+    elif off > OFF_LINE * check.length:
+        words = note("inflections up to {off} off one line", off=Length(off))
+    else:
+        words = reason
+    return Answer(Verdict.CANNOT, note("cannot: {reason}", reason=words), reason)
 
 
 def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fault | None:
