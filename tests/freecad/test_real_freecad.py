@@ -300,7 +300,7 @@ def test_a_maker_at_work(tmp_path):
     assert high > 280
     assert found["dragged into one"] == [pytest.approx(low), pytest.approx(high), False]
     assert found["hangs on"] == ["Here"], "not on the room, which holds what is made from it"
-    assert found["out of its room"] == [*map(pytest.approx, (50, 80, 1080)), False], "it stands on its sketch"
+    assert found["out of its room"] == [*map(pytest.approx, (0, 0, 0)), False], "its sketch comes along"
     words, seen = found["no slots"]
     assert "touch along a line" in words
     assert seen == [True, True]
@@ -712,3 +712,11 @@ def test_flat_parts_of_copies_on_demand_and_in_a_drawing(tmp_path):
     assert found["on demand, undone"] == 1
     assert found["again"] == "Every selected strip has its flat part."
     assert found["edges"] > 8 + 10, "the outline, and the lines of five letters"
+    label, state, volumes = found["pocket"]
+    assert [label, state] == ["Strip flat outline", ["Up-to-date"]]
+    (wide, area), (narrow, smaller) = volumes
+    assert [wide, narrow] == pytest.approx([area, smaller], rel=1e-5)
+    assert smaller < 0.8 * area
+    listed, again = found["list"]
+    assert "8 x Strip:" in listed
+    assert again == f"choose a folder for the files\n{listed}"

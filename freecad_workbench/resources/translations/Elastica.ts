@@ -503,6 +503,10 @@
         <source>Messages in all languages</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sources in the same container; they enter and leave containers together with the feature</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1496,6 +1500,18 @@
     </message>
     <message>
         <source>Every selected strip has its flat part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flat outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backing outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every selected strip has its outline.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2551,6 +2567,17 @@
     </message>
     <message>
         <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Outline</name>
+    <message>
+        <source>Flat outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

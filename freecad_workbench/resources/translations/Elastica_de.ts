@@ -499,6 +499,10 @@
         <source>Messages in all languages</source>
         <translation>Meldungen in allen Sprachen</translation>
     </message>
+    <message>
+        <source>Sources in the same container; they enter and leave containers together with the feature</source>
+        <translation>Quellen im selben Container; sie werden zusammen mit dem Feature in andere Container verschoben</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1493,6 +1497,18 @@
     <message>
         <source>Every selected strip has its flat part.</source>
         <translation>Jeder gewählte Streifen hat sein flaches Teil.</translation>
+    </message>
+    <message>
+        <source>flat outline</source>
+        <translation>flacher Umriss</translation>
+    </message>
+    <message>
+        <source>backing outline</source>
+        <translation>Umriss der Verstärkung</translation>
+    </message>
+    <message>
+        <source>Every selected strip has its outline.</source>
+        <translation>Jeder gewählte Streifen hat seinen Umriss.</translation>
     </message>
 </context>
 <context>
@@ -2548,6 +2564,17 @@
     <message>
         <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
         <translation>Die fehlenden flachen Teile der gewählten Streifen erstellen, etwa von kopierten Streifen</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Outline</name>
+    <message>
+        <source>Flat outline</source>
+        <translation>Flacher Umriss</translation>
+    </message>
+    <message>
+        <source>Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files</source>
+        <translation>Die Umrisse der gewählten Streifen als ebene Flächen erstellen, für Taschen, Werkzeugwege und FreeCADs eigene DXF-Dateien</translation>
     </message>
 </context>
 </TS>

@@ -499,6 +499,10 @@
         <source>Messages in all languages</source>
         <translation>各语言的消息</translation>
     </message>
+    <message>
+        <source>Sources in the same container; they enter and leave containers together with the feature</source>
+        <translation>同一容器中的来源；它们与该特征一起移入和移出容器</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1493,6 +1497,18 @@
     <message>
         <source>Every selected strip has its flat part.</source>
         <translation>所选条带均已有平面件。</translation>
+    </message>
+    <message>
+        <source>flat outline</source>
+        <translation>平面轮廓</translation>
+    </message>
+    <message>
+        <source>backing outline</source>
+        <translation>背层轮廓</translation>
+    </message>
+    <message>
+        <source>Every selected strip has its outline.</source>
+        <translation>所选条带均已有轮廓。</translation>
     </message>
 </context>
 <context>
@@ -2548,6 +2564,17 @@
     <message>
         <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
         <translation>创建所选条带缺少的平面件，例如复制的条带的平面件</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Outline</name>
+    <message>
+        <source>Flat outline</source>
+        <translation>平面轮廓</translation>
+    </message>
+    <message>
+        <source>Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files</source>
+        <translation>将所选条带的轮廓创建为平面，用于凹槽、刀具路径和 FreeCAD 自带的 DXF 文件</translation>
     </message>
 </context>
 </TS>

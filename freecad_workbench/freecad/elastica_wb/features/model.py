@@ -13,7 +13,7 @@ import numpy as np
 import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
+from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import is_model, is_strip
@@ -64,7 +64,6 @@ class ModelFeature(Feature):
             "Overlaps",
             "Collisions of strips outside their slots, known a moment after the other results",
         ),
-        CONTAINERS,
     )
 
     def make(self, obj: Any) -> None:

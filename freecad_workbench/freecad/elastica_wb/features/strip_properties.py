@@ -10,7 +10,6 @@ from typing import Any, TypeAlias, get_args
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
-from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import (
     NOTHING,
     Property,
@@ -247,7 +246,6 @@ PROPERTIES = (
         hidden=True,
         transient=True,
     ),
-    CONTAINERS,
     *(
         declared_property(field, _group(path), name, given=DEFAULTS.get(name), example=EXAMPLES.get(name, ""))
         for path, field, name in ((path, field, name_of(path)) for path, field in FIELDS.items())
@@ -272,7 +270,6 @@ NEAREST = tuple(
         "Blank",
         "Ratio",
         "Deviation",
-        CONTAINERS.name,
     )
 )
 """Options and results of the nearest curve as a separate feature."""
