@@ -2492,30 +2492,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force along x (N)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force along y (N)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force in newtons along the x axis of the sketch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force in newtons along the y axis of the sketch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass (g)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hung mass in grams; it needs the own weight of the strip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Hole</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2545,6 +2521,30 @@
     </message>
     <message>
         <source>Removes the chosen element or load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along the x axis of the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along the y axis of the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hung mass; it needs the own weight of the strip</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

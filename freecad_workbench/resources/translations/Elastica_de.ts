@@ -2488,30 +2488,6 @@
         <translation>Abstand des anderen Endes der Schnur vom Anfang der Kurve</translation>
     </message>
     <message>
-        <source>Force along x (N)</source>
-        <translation>Kraft entlang x (N)</translation>
-    </message>
-    <message>
-        <source>Force along y (N)</source>
-        <translation>Kraft entlang y (N)</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the x axis of the sketch</source>
-        <translation>Kraft in Newton entlang der x-Achse der Skizze</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the y axis of the sketch</source>
-        <translation>Kraft in Newton entlang der y-Achse der Skizze</translation>
-    </message>
-    <message>
-        <source>Mass (g)</source>
-        <translation>Masse (g)</translation>
-    </message>
-    <message>
-        <source>Hung mass in grams; it needs the own weight of the strip</source>
-        <translation>Angehängte Masse in Gramm; sie braucht das Eigengewicht des Streifens</translation>
-    </message>
-    <message>
         <source>Hole</source>
         <translation>Loch</translation>
     </message>
@@ -2542,6 +2518,30 @@
     <message>
         <source>Removes the chosen element or load</source>
         <translation>Entfernt das gewählte Element oder die Last</translation>
+    </message>
+    <message>
+        <source>Force along x</source>
+        <translation>Kraft entlang x</translation>
+    </message>
+    <message>
+        <source>Force along y</source>
+        <translation>Kraft entlang y</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Force along the x axis of the sketch</source>
+        <translation>Kraft entlang der x-Achse der Skizze</translation>
+    </message>
+    <message>
+        <source>Force along the y axis of the sketch</source>
+        <translation>Kraft entlang der y-Achse der Skizze</translation>
+    </message>
+    <message>
+        <source>Hung mass; it needs the own weight of the strip</source>
+        <translation>Angehängte Masse; sie braucht das Eigengewicht des Streifens</translation>
     </message>
 </context>
 <context>

@@ -2488,30 +2488,6 @@
         <translation>拉索另一端距曲线起点的距离</translation>
     </message>
     <message>
-        <source>Force along x (N)</source>
-        <translation>沿 x 的力（N）</translation>
-    </message>
-    <message>
-        <source>Force along y (N)</source>
-        <translation>沿 y 的力（N）</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the x axis of the sketch</source>
-        <translation>沿草图 x 轴的力，单位牛顿</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the y axis of the sketch</source>
-        <translation>沿草图 y 轴的力，单位牛顿</translation>
-    </message>
-    <message>
-        <source>Mass (g)</source>
-        <translation>质量（g）</translation>
-    </message>
-    <message>
-        <source>Hung mass in grams; it needs the own weight of the strip</source>
-        <translation>悬挂质量，单位克；需要计入条带自重</translation>
-    </message>
-    <message>
         <source>Hole</source>
         <translation>孔</translation>
     </message>
@@ -2542,6 +2518,30 @@
     <message>
         <source>Removes the chosen element or load</source>
         <translation>移除所选元件或载荷</translation>
+    </message>
+    <message>
+        <source>Force along x</source>
+        <translation>沿 x 的力</translation>
+    </message>
+    <message>
+        <source>Force along y</source>
+        <translation>沿 y 的力</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Force along the x axis of the sketch</source>
+        <translation>沿草图 x 轴的力</translation>
+    </message>
+    <message>
+        <source>Force along the y axis of the sketch</source>
+        <translation>沿草图 y 轴的力</translation>
+    </message>
+    <message>
+        <source>Hung mass; it needs the own weight of the strip</source>
+        <translation>悬挂质量；需要计入条带自重</translation>
     </message>
 </context>
 <context>

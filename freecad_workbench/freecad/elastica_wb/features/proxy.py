@@ -3,7 +3,7 @@
 
 """Base class of all features: properties, sheets, dependence on containers, and errors."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
@@ -23,9 +23,7 @@ from freecad.elastica_wb.host.property_table import (
 )
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
-    RefusalError,
     explained,
-    raising,
     refused,
     why_not_computed,
     why_not_made,
@@ -97,6 +95,8 @@ class Feature(Unsaved):
     """Names of the properties with the objects on which the feature depends."""
     deciding: ClassVar[tuple[str, ...]] = ()
     """Names of the properties whose values decide which other properties have an effect."""
+    reported = ""
+    """Error that the last recompute of the feature printed."""
     chosen: str | None = None
     """Value of an enumeration property before its current change, or None if that value was invalid."""
 
@@ -197,12 +197,8 @@ class Feature(Unsaved):
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
-    @property
-    def execute(self) -> Callable[[Any], None]:
-        """Function that FreeCAD calls in a recompute. After an error, the shape is unchanged."""
-        return raising(self._error_of_make)
-
-    def _error_of_make(self, obj: Any) -> RefusalError | None:
+    def execute(self, obj: Any) -> None:
+        """Recompute the feature. After an error, the shape is unchanged."""
         try:
             require_choices(obj, self.properties)
             self._store_sheets(obj)
@@ -210,9 +206,9 @@ class Feature(Unsaved):
         except FAILURES as error:
             explanation = explained(error)
             self.failed(obj, explanation)
-            return refused(obj, explanation)
+            raise refused(obj, explanation) from None
+        self.reported = ""
         _restore_visibility(obj)
-        return None
 
     def make(self, obj: Any) -> None:
         """Compute shape and results from the properties. Subclasses override this method."""
