@@ -720,3 +720,18 @@ def test_flat_parts_of_copies_on_demand_and_in_a_drawing(tmp_path):
     listed, again = found["list"]
     assert "8 x Strip:" in listed
     assert again == f"choose a folder for the files\n{listed}"
+
+
+@pytest.mark.campaign
+def test_narrow_docks_formulas_units_and_errors(tmp_path):
+    found = launching.run_window("narrow.py", tmp_path, language="German")
+    assert found["in view"] == [True, True]
+    assert {command: over for command, over in found["too wide"].items() if over} == {}
+    all_curves, of_svg = found["curves"] if found["ezdxf"] else reversed(found["curves"])
+    assert len(all_curves) == 4
+    assert len(of_svg) == (4 if found["ezdxf"] else 2), "DXF R12 has no splines"
+    shown, *loads = found["mass"]
+    assert shown.endswith(" g")
+    assert [line[0].rpartition("= ")[2] for line in loads] == ["10.0", "25.0", "30.0"]
+    assert found["walls"] == [7, 9, ["Up-to-date"]]
+    assert found["told"] == 1

@@ -507,6 +507,10 @@
         <source>Sources in the same container; they enter and leave containers together with the feature</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lengths and ends of the edges when they were chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>

@@ -503,6 +503,10 @@
         <source>Sources in the same container; they enter and leave containers together with the feature</source>
         <translation>Quellen im selben Container; sie werden zusammen mit dem Feature in andere Container verschoben</translation>
     </message>
+    <message>
+        <source>Lengths and ends of the edges when they were chosen</source>
+        <translation>Längen und Enden der Kanten, als sie gewählt wurden</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>

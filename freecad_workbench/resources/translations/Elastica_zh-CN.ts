@@ -503,6 +503,10 @@
         <source>Sources in the same container; they enter and leave containers together with the feature</source>
         <translation>同一容器中的来源；它们与该特征一起移入和移出容器</translation>
     </message>
+    <message>
+        <source>Lengths and ends of the edges when they were chosen</source>
+        <translation>选择边时的长度和端点</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>

@@ -26,7 +26,7 @@ from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.declared import declared
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, one_of_each
 from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
@@ -77,7 +77,7 @@ class ModelFeature(Feature):
         put(
             obj,
             Joints=len(model.joints),
-            Reports=[*pre_bend_messages(named_strips), *model.reports],
+            Reports=[*pre_bend_messages(named_strips), *one_of_each(model.reports)],
             Overlaps=list(overlaps.result()) if overlaps is not None and overlaps.done() else [],
         )
 
@@ -145,7 +145,7 @@ def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     messages = _worded(overlaps)
     if messages and obj.Overlaps != messages:
         report_warning(" ".join(messages), obj.Label)
-    put(obj, Overlaps=list(overlaps))
+    put(obj, Overlaps=list(dict.fromkeys(overlaps)))
 
 
 def _search_overlaps(model: Model) -> "Future[tuple[str, ...]]":

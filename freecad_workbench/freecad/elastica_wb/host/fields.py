@@ -20,7 +20,7 @@ WHOLE = 1_000_000
 # visible letters of a choice, such as the name of a sheet, in a narrow panel
 CHOICE_LETTERS = 14
 # least width, pixels, of a box for a length with its unit, and largest width of a text on a button
-NARROWEST_PX, BUTTON_PX = 82, 150
+NARROWEST_PX, BUTTON_PX = 105, 150
 TRIES = 10
 
 _aside: list[Any] = []

@@ -220,9 +220,10 @@ def active_view() -> Any:
 
 
 def bring_into_view(objects: Iterable[Any]) -> None:
-    """Show the whole document if an object is not completely in the 3D view."""
+    """Show the whole document if an object, or a source of it, is not completely in the 3D view."""
     view = active_view()
-    shapes = [obj for obj in objects if hasattr(obj, "Shape") and is_bounded(obj.Shape.BoundBox)]
+    sources = {source for obj in objects for source in (obj, *obj.OutList) if hasattr(source, "Shape")}
+    shapes = [source for source in sources if is_bounded(source.Shape.BoundBox)]
     boxes = [obj.Shape.BoundBox.transformed(container(obj).toMatrix()) for obj in shapes]
     corners = [box.getPoint(i) for box in boxes for i in range(8)]
     if view is None or not corners:
