@@ -131,7 +131,7 @@ def test_a_drag_and_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     check_drag(found, tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 23
+    assert len(found["known"]) == 24
     ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
     others = {keys for name, keys in found["shortcuts"].items() if not name.startswith("Elastica")}
     assert len(ours) == 11

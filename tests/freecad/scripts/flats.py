@@ -140,6 +140,8 @@ def work():
     from freecad.elastica_wb.host import dialogs
 
     window()
+    pocket_of_outline()
+    export_of_an_array()
     document = begun("Flats")
     sketch(document, ARCH)
     choose(document.Sketch)
@@ -169,8 +171,6 @@ def work():
     for box in list(dialogs._open_boxes):
         box.close()
     answers["edges"] = drawn(document)
-    pocket_of_outline()
-    export_of_an_array()
 
 
 run(work)
