@@ -29,7 +29,7 @@ from freecad.elastica_wb.cutting_files import (
     later_feature_messages,
     write_cutting_files,
 )
-from freecad.elastica_wb.features import flat, nest, proxy, strip
+from freecad.elastica_wb.features import curves, flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of, without_refused
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
@@ -105,6 +105,9 @@ def test_a_file_of_an_earlier_version(document, tmp_path: Path):
         old.recompute()
         assert feature.State == ["Up-to-date"]
         assert feature.Shape.Volume == pytest.approx(volume, rel=1e-5)
+        room = old.addObject("App::Part", "Room")
+        room.addObject(feature)
+        assert feature.Curve[0] in room.Group
         assert old.getObject("Flat").Shape.isValid()
     finally:
         App.closeDocument(old.Name)
@@ -125,6 +128,21 @@ def test_inside_a_part(document, sketch):
     assert in_document(outside).isInside(middle(outside), 1e-6, True)
 
 
+@pytest.mark.parametrize("make", [strip.create, curves.nearest])
+def test_a_curve_goes_into_a_part_with_what_follows_it(document, sketch, make):
+    feature = make(document, sketch)
+    document.recompute()
+    room = document.addObject("App::Part", "Room")
+    room.Placement = App.Placement(App.Vector(7, 8, 9), App.Rotation(App.Vector(0, 1, 0), 40))
+    room.addObject(feature)
+    proxy.keep_containers(document, {feature.Name, sketch.Name})
+    document.recompute()
+    place = room.Placement.multVec(sketch.Geometry[0].value(0.5))
+    assert in_document(feature).distToShape(Part.Vertex(place))[0] < 3  # the nearest curve is elsewhere
+    room.removeObject(feature)
+    assert room.Group == []
+
+
 def test_out_of_a_part_that_holds_its_flat_part(document, sketch):
     """A strip that hung on that part were made from what is made from it: a cycle, which FreeCAD refuses."""
     room, house = document.addObject("App::Part", "Room"), document.addObject("App::Part", "House")
@@ -132,9 +150,10 @@ def test_out_of_a_part_that_holds_its_flat_part(document, sketch):
     made = strip.create(document, sketch)
     lying = flat.create(document, made)
     assert lying in room.Group
+    made.Companions = []  # as in files of version 0.1: the sketch stays
     room.removeObject(made)
     proxy.keep_containers(document, {made.Name})
-    assert made.OutList == [sketch]
+    assert set(made.OutList) == {sketch}
     room.Placement.Base.z = 80
     proxy.keep_places(room)
     document.recompute()

@@ -131,7 +131,7 @@ def test_a_drag_and_every_command(tmp_path):
     found = launching.run_window("commands.py", tmp_path)
     check_drag(found, tmp_path)
     assert found["workbench"] == "ElasticaWorkbench"
-    assert len(found["known"]) == 23
+    assert len(found["known"]) == 24
     ours = {keys for name, keys in found["shortcuts"].items() if name.startswith("Elastica")}
     others = {keys for name, keys in found["shortcuts"].items() if not name.startswith("Elastica")}
     assert len(ours) == 11
@@ -300,7 +300,7 @@ def test_a_maker_at_work(tmp_path):
     assert high > 280
     assert found["dragged into one"] == [pytest.approx(low), pytest.approx(high), False]
     assert found["hangs on"] == ["Here"], "not on the room, which holds what is made from it"
-    assert found["out of its room"] == [*map(pytest.approx, (50, 80, 1080)), False], "it stands on its sketch"
+    assert found["out of its room"] == [*map(pytest.approx, (0, 0, 0)), False], "its sketch comes along"
     words, seen = found["no slots"]
     assert "touch along a line" in words
     assert seen == [True, True]
@@ -715,3 +715,26 @@ def test_flat_parts_of_copies_on_demand_and_in_a_drawing(tmp_path):
     assert found["on demand, undone"] == 1
     assert found["again"] == "Every selected strip has its flat part."
     assert found["edges"] > 8 + 10, "the outline, and the lines of five letters"
+    label, state, volumes = found["pocket"]
+    assert [label, state] == ["Strip flat outline", ["Up-to-date"]]
+    (wide, area), (narrow, smaller) = volumes
+    assert [wide, narrow] == pytest.approx([area, smaller], rel=1e-5)
+    assert smaller < 0.8 * area
+    listed, again = found["list"]
+    assert "8 x Strip:" in listed
+    assert again == f"choose a folder for the files\n{listed}"
+
+
+@pytest.mark.campaign
+def test_narrow_docks_formulas_units_and_errors(tmp_path):
+    found = launching.run_window("narrow.py", tmp_path, language="German")
+    assert found["in view"] == [True, True]
+    assert {command: over for command, over in found["too wide"].items() if over} == {}
+    all_curves, of_svg = found["curves"] if found["ezdxf"] else reversed(found["curves"])
+    assert len(all_curves) == 4
+    assert len(of_svg) == (4 if found["ezdxf"] else 2), "DXF R12 has no splines"
+    shown, *loads = found["mass"]
+    assert shown.endswith(" g")
+    assert [line[0].rpartition("= ")[2] for line in loads] == ["10.0", "25.0", "30.0"]
+    assert found["walls"] == [7, 9, ["Up-to-date"]]
+    assert found["told"] == 1

@@ -101,7 +101,7 @@ def test_everything_is_translated(language):
 
 
 def test_every_command_has_an_icon():
-    assert len(command_names()) == 22
+    assert len(command_names()) == 23
     for name in command_names():
         icon = ElementTree.parse(RESOURCES / "icons" / f"{name}.svg").getroot()
         assert icon.get("viewBox") == "0 0 64 64"

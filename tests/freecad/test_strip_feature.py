@@ -140,11 +140,38 @@ def test_what_stands_in_the_same_container_stays_in_sight(document, sketch, draw
     part, other = document.addObject("App::Part", "Part"), drawn(ARCH)
     part.addObjects([sketch, other])
     failing, outside = strip.create(document, sketch), strip.create(document, other)
+    outside.Companions = []  # as in files of version 0.1: the sketch stays
     part.removeObject(outside)
     change(outside, Curve=other)
     assert outside.Containers == [part]
     change(sketch, Geometry=[])
     assert [failing.Visibility, outside.Visibility] == [False, True]
+
+
+def test_an_edge_that_gets_the_number_of_another(document, spline_geometry):
+    """The chosen edge is still there, as another; an edge that changes itself is no other edge."""
+    curves = [[(x / size, y / size + rise) for x, y in ARCH] for size, rise in ((1, 300), (1, 0), (4, -200))]
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    for points in curves:
+        sketch.addGeometry(spline_geometry(points), False)
+    document.recompute()
+    feature = new(strip.create, document, sketch, ("Edge2",))
+    length, chosen = feature.Length.Value, spline_geometry([(x * 1.1, y) for x, y in ARCH])
+    geometry = sketch.Geometry
+    geometry[1] = chosen
+    change(sketch, Geometry=geometry)
+    assert feature.Length.Value > length + 5
+    assert not any("another edge" in reason for reason in feature.Reasons)
+    name, before = feature.Curve[1][0], feature.Length.Value
+    sketch.delGeometry(0)
+    document.recompute()
+    # FreeCAD 1.x follows the edge
+    remark = f"The curve is another edge than before: {before:.4g} mm -> 50.56 mm. Choose the curve again."
+    told = feature.Reasons[:1] == [remark] and feature.Curve[1][0] == name
+    assert told or feature.Length.Value == pytest.approx(before)
+    change(feature, Curve=(sketch, ["Edge1"]))
+    assert feature.Length.Value == pytest.approx(before)
+    assert not any("another edge" in reason for reason in feature.Reasons)
 
 
 def test_save_and_reload(document, sketch, tmp_path: Path, move_pole):

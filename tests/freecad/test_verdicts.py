@@ -183,6 +183,7 @@ def test_a_strip_beside_a_body_follows_it(document, sketch):
     outside.addObject(free)
     document.recompute()
     assert free.Containers == [body]
+    assert body.Group[0] is sketch, "a sketch of a body stays in it"
     before = free.Placement.Base.z
     body.Placement.Base = App.Vector(0, 0, 40)
     document.recompute()

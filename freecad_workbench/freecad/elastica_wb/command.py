@@ -8,6 +8,7 @@ FreeCAD imports this module when it starts, so large modules are imported on fir
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -70,14 +71,21 @@ class Command:
         """Run the command, and show its error if it fails."""
         from freecad.elastica_wb.host.dialogs import show_message
         from freecad.elastica_wb.host.refusal import FAILURES, explained
+        from freecad.elastica_wb.panels.panel import bring_into_view
         from freecad.elastica_wb.undo_steps import active_steps, undo_new_steps
 
-        before = active_steps()
+        before, present = active_steps(), _objects()
         try:
             self.run()
+            if new := [obj for obj in _objects() if obj not in present]:
+                bring_into_view(new)
         except FAILURES as error:
             undo_new_steps(before)
             show_message(str(explained(error)))
+
+
+def _objects() -> list[Any]:
+    return App.ActiveDocument.Objects if has_document() else []
 
 
 def _switch_overlay() -> None:

@@ -503,6 +503,14 @@
         <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sources in the same container; they enter and leave containers together with the feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths and ends of the edges when they were chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1526,6 +1534,18 @@
         <source>Follow the curve: Nearest</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>flat outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backing outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every selected strip has its outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2504,30 +2524,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Force along x (N)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force along y (N)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force in newtons along the x axis of the sketch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force in newtons along the y axis of the sketch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass (g)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hung mass in grams; it needs the own weight of the strip</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Hole</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2559,6 +2555,30 @@
         <source>Removes the chosen element or load</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Force along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along the x axis of the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along the y axis of the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hung mass; it needs the own weight of the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica_Flexure</name>
@@ -2579,6 +2599,17 @@
     </message>
     <message>
         <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Outline</name>
+    <message>
+        <source>Flat outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

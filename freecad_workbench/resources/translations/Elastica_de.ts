@@ -499,6 +499,14 @@
         <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
         <translation>Länge der Kurve, auf die sich die Stellen von Schienen, Schnüren und Lasten beziehen; 0 für die jetzige Länge</translation>
     </message>
+    <message>
+        <source>Sources in the same container; they enter and leave containers together with the feature</source>
+        <translation>Quellen im selben Container; sie werden zusammen mit dem Feature in andere Container verschoben</translation>
+    </message>
+    <message>
+        <source>Lengths and ends of the edges when they were chosen</source>
+        <translation>Längen und Enden der Kanten, als sie gewählt wurden</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1522,6 +1530,18 @@
         <source>Follow the curve: Nearest</source>
         <translation>Der Kurve folgen: nächstgelegene Kurve</translation>
     </message>
+    <message>
+        <source>flat outline</source>
+        <translation>flacher Umriss</translation>
+    </message>
+    <message>
+        <source>backing outline</source>
+        <translation>Umriss der Verstärkung</translation>
+    </message>
+    <message>
+        <source>Every selected strip has its outline.</source>
+        <translation>Jeder gewählte Streifen hat seinen Umriss.</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2500,30 +2520,6 @@
         <translation>Abstand des anderen Endes der Schnur vom Anfang der Kurve</translation>
     </message>
     <message>
-        <source>Force along x (N)</source>
-        <translation>Kraft entlang x (N)</translation>
-    </message>
-    <message>
-        <source>Force along y (N)</source>
-        <translation>Kraft entlang y (N)</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the x axis of the sketch</source>
-        <translation>Kraft in Newton entlang der x-Achse der Skizze</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the y axis of the sketch</source>
-        <translation>Kraft in Newton entlang der y-Achse der Skizze</translation>
-    </message>
-    <message>
-        <source>Mass (g)</source>
-        <translation>Masse (g)</translation>
-    </message>
-    <message>
-        <source>Hung mass in grams; it needs the own weight of the strip</source>
-        <translation>Angehängte Masse in Gramm; sie braucht das Eigengewicht des Streifens</translation>
-    </message>
-    <message>
         <source>Hole</source>
         <translation>Loch</translation>
     </message>
@@ -2555,6 +2551,30 @@
         <source>Removes the chosen element or load</source>
         <translation>Entfernt das gewählte Element oder die Last</translation>
     </message>
+    <message>
+        <source>Force along x</source>
+        <translation>Kraft entlang x</translation>
+    </message>
+    <message>
+        <source>Force along y</source>
+        <translation>Kraft entlang y</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Force along the x axis of the sketch</source>
+        <translation>Kraft entlang der x-Achse der Skizze</translation>
+    </message>
+    <message>
+        <source>Force along the y axis of the sketch</source>
+        <translation>Kraft entlang der y-Achse der Skizze</translation>
+    </message>
+    <message>
+        <source>Hung mass; it needs the own weight of the strip</source>
+        <translation>Angehängte Masse; sie braucht das Eigengewicht des Streifens</translation>
+    </message>
 </context>
 <context>
     <name>Elastica_Flexure</name>
@@ -2576,6 +2596,17 @@
     <message>
         <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
         <translation>Die fehlenden flachen Teile der gewählten Streifen erstellen, etwa von kopierten Streifen</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Outline</name>
+    <message>
+        <source>Flat outline</source>
+        <translation>Flacher Umriss</translation>
+    </message>
+    <message>
+        <source>Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files</source>
+        <translation>Die Umrisse der gewählten Streifen als ebene Flächen erstellen, für Taschen, Werkzeugwege und FreeCADs eigene DXF-Dateien</translation>
     </message>
 </context>
 </TS>

@@ -499,6 +499,14 @@
         <source>Length of the curve to which the places of rails, ties and loads refer; 0 for the present length</source>
         <translation>导轨、拉绳和载荷位置所参照的曲线长度；0 表示当前长度</translation>
     </message>
+    <message>
+        <source>Sources in the same container; they enter and leave containers together with the feature</source>
+        <translation>同一容器中的来源；它们与该特征一起移入和移出容器</translation>
+    </message>
+    <message>
+        <source>Lengths and ends of the edges when they were chosen</source>
+        <translation>选择边时的长度和端点</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1522,6 +1530,18 @@
         <source>Follow the curve: Nearest</source>
         <translation>跟随曲线: 最近曲线</translation>
     </message>
+    <message>
+        <source>flat outline</source>
+        <translation>平面轮廓</translation>
+    </message>
+    <message>
+        <source>backing outline</source>
+        <translation>背层轮廓</translation>
+    </message>
+    <message>
+        <source>Every selected strip has its outline.</source>
+        <translation>所选条带均已有轮廓。</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2500,30 +2520,6 @@
         <translation>拉索另一端距曲线起点的距离</translation>
     </message>
     <message>
-        <source>Force along x (N)</source>
-        <translation>沿 x 的力（N）</translation>
-    </message>
-    <message>
-        <source>Force along y (N)</source>
-        <translation>沿 y 的力（N）</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the x axis of the sketch</source>
-        <translation>沿草图 x 轴的力，单位牛顿</translation>
-    </message>
-    <message>
-        <source>Force in newtons along the y axis of the sketch</source>
-        <translation>沿草图 y 轴的力，单位牛顿</translation>
-    </message>
-    <message>
-        <source>Mass (g)</source>
-        <translation>质量（g）</translation>
-    </message>
-    <message>
-        <source>Hung mass in grams; it needs the own weight of the strip</source>
-        <translation>悬挂质量，单位克；需要计入条带自重</translation>
-    </message>
-    <message>
         <source>Hole</source>
         <translation>孔</translation>
     </message>
@@ -2555,6 +2551,30 @@
         <source>Removes the chosen element or load</source>
         <translation>移除所选元件或载荷</translation>
     </message>
+    <message>
+        <source>Force along x</source>
+        <translation>沿 x 的力</translation>
+    </message>
+    <message>
+        <source>Force along y</source>
+        <translation>沿 y 的力</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Force along the x axis of the sketch</source>
+        <translation>沿草图 x 轴的力</translation>
+    </message>
+    <message>
+        <source>Force along the y axis of the sketch</source>
+        <translation>沿草图 y 轴的力</translation>
+    </message>
+    <message>
+        <source>Hung mass; it needs the own weight of the strip</source>
+        <translation>悬挂质量；需要计入条带自重</translation>
+    </message>
 </context>
 <context>
     <name>Elastica_Flexure</name>
@@ -2576,6 +2596,17 @@
     <message>
         <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
         <translation>创建所选条带缺少的平面件，例如复制的条带的平面件</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Outline</name>
+    <message>
+        <source>Flat outline</source>
+        <translation>平面轮廓</translation>
+    </message>
+    <message>
+        <source>Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files</source>
+        <translation>将所选条带的轮廓创建为平面，用于凹槽、刀具路径和 FreeCAD 自带的 DXF 文件</translation>
     </message>
 </context>
 </TS>

@@ -144,7 +144,7 @@ def rooms():
     bounds = outside.Shape.BoundBox
     answers["dragged into one"] = [bounds.ZMin + 300, bounds.ZMax + 300, "DAG" in report()[seen:]]
     room.removeObject(here)  # its flat part stays, and is made from it
-    answers["hangs on"] = [one.Label for one in here.OutList]
+    answers["hangs on"] = sorted({one.Label for one in here.OutList})
     document.recompute()
     heights = [here.Placement.Base.z]
     room.Placement.Base.z = 80

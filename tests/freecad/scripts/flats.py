@@ -7,6 +7,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb import make_strip
 from inside import (
     ARCH,
     Dialog,
@@ -14,9 +15,13 @@ from inside import (
     begun,
     button,
     choose,
+    drag_in_tree,
     fit,
+    open_panel,
+    panel,
     picture,
     press,
+    press_button,
     run,
     shown_message,
     sketch,
@@ -77,10 +82,66 @@ def drawn(document):
     return len(view.getVisibleEdges())
 
 
+def pocket_of_outline():
+    """A pocket with the outline of a strip as its profile; the strip then changes."""
+    document = begun("Outline")
+    strip = make_strip(sketch(document, ARCH))
+    body = document.addObject("PartDesign::Body", "Body")
+    block = document.addObject("PartDesign::AdditiveBox", "Block")
+    block.Length, block.Width, block.Height, block.Placement.Base = 300, 200, 5, App.Vector(-50, -150, -5)
+    body.addObject(block)
+    document.recompute()
+    choose(strip)
+    press("Elastica_Outline")
+    outline = until(lambda: document.Flat001.Shape.Area) and document.Flat001
+    outline.Placement.Base = App.Vector(0, -80, 0)
+    drag_in_tree(outline, body)
+    until(lambda: outline in body.Group, 10)
+    Gui.activateWorkbench("PartDesignWorkbench")
+    Gui.ActiveDocument.ActiveView.setActiveObject("pdbody", body)
+    choose(outline)
+    press("PartDesign_Pocket")
+    until(lambda: Gui.Control.activeDialog() and document.getObject("Pocket"))
+    press_button()
+    until(lambda: not Gui.Control.activeDialog())
+    volumes = []
+    for width in (30, 20):
+        strip.MaxWidth = width
+        document.Pocket.Length = 2
+        document.recompute()
+        volumes.append([300 * 200 * 5 - body.Shape.Volume, 2 * outline.Shape.Area])
+    fit("Isometric")
+    picture("3-pocket.png")
+    answers["pocket"] = [outline.Label, document.Pocket.State, volumes]
+    App.closeDocument(document.Name)
+
+
+def export_of_an_array():
+    """The flat part is chosen, but what is cut is what the array of its strip needs; Cancel leaves the list."""
+    import Draft
+
+    document = begun("Array")
+    strip = make_strip(sketch(document, ARCH))
+    Draft.make_polar_array(strip, 8, 360, App.Vector(75, -200, 0))
+    document.recompute()
+    open_panel("Elastica_Export", document.Flat)
+    listed = panel().form.message.text()
+    request = Dialog(lambda box: box.reject())  # where FreeCAD requests a folder
+    press_button()
+    until(lambda: panel().form.message.text() != listed)
+    request.stop()
+    picture("4-export.png")
+    answers["list"] = [listed, panel().form.message.text()]
+    button("Cancel")
+    App.closeDocument(document.Name)
+
+
 def work():
     from freecad.elastica_wb.host import dialogs
 
     window()
+    pocket_of_outline()
+    export_of_an_array()
     document = begun("Flats")
     sketch(document, ARCH)
     choose(document.Sketch)

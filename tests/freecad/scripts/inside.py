@@ -192,6 +192,22 @@ def tree_row(obj):
     return tree, item
 
 
+def drag_in_tree(obj, onto):
+    """A real mouse drags the row of an object in the tree onto the row of another."""
+    tree, target = tree_row(onto)
+    item = tree_row(obj)[1]
+    tree.collapseItem(target)  # so that both rows are in sight
+    tree.scrollToTop()
+    centre = lambda row: tree.viewport().mapToGlobal(tree.visualItemRect(row).center()).toTuple()  # noqa: E731
+    (x, y), (to_x, to_y) = still(lambda: centre(item), 0.15), centre(target)
+    # one command, because Qt does not return before the drop
+    steps = [
+        ("mousemove", x + (to_x - x) * i // 8, y + (to_y - y) * i // 8, "sleep", 0.1) for i in range(1, 9)
+    ]
+    moves = [word for step in steps for word in step]
+    mouse("mousemove", x, y, "sleep", 0.1, "mousedown", 1, "sleep", 0.1, *moves, "sleep", 0.2, "mouseup", 1)
+
+
 def keys(*names):
     """A real keyboard."""
     mouse("key", "--delay", 40, *names)

@@ -165,6 +165,17 @@ def flat_again():
     close()
 
 
+def outlined():
+    """The outline of a strip below its flat part; this tool has no panel."""
+    strip = strip_of(label="RIB 7", upright=False)
+    strip.TabHole = 4
+    choose(strip)
+    assert trigger("Elastica_Outline")
+    assert until(lambda: strip.Document.getObject("Flat001") is not None)
+    look("outline", top=True)
+    close()
+
+
 def standing():
     """Two strips that are slotted into each other, in printed blocks."""
     opened("Elastica_Interlock", *crossing()).accept()
@@ -221,6 +232,7 @@ def work():
     by_panel("Elastica_Perforate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Laminate", strip_of(), OuterWidth=40.0)
     flat_again()
+    outlined()
     held = strip_of(LONG_WAVE, upright=False)
     held.Between = ["at = [180, -9]"]
     held.Document.recompute()

@@ -12,6 +12,7 @@ from freecad.elastica_wb.commands import actions
 from freecad.elastica_wb.commands.actions import answers, open_on, show_panel
 from freecad.elastica_wb.commands.selection import chosen_sketch, chosen_sources, chosen_strip, chosen_strips
 from freecad.elastica_wb.example import open_example
+from freecad.elastica_wb.features.flat import OUTLINE
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live import between_clamps
 from freecad.elastica_wb.live.sketches import is_sketch_open
@@ -142,6 +143,17 @@ STRIPS = (
             "Make the missing flat parts of the selected strips, for example of copied strips",
         ),
         run=actions.make_flat_parts,
+        has_subject=HAS_STRIP,
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Outline",
+        text=QT_TRANSLATE_NOOP("Elastica_Outline", "Flat outline"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Outline",
+            "Make the outlines of the selected strips as plane faces, for pockets, tool paths and FreeCAD's own DXF files",  # noqa: E501
+        ),
+        run=partial(actions.make_flat_parts, OUTLINE),
         has_subject=HAS_STRIP,
         in_sketch=True,
     ),

@@ -137,20 +137,24 @@ def make_strips() -> None:
     show_panel(panel_of, strips[-1], strips)
 
 
-def _add_flat(strip: Any, layer: str = "Base") -> None:
-    recorded(flat.create, strip.Document, strip, layer)
+def _add_flat(strip: Any, layer: str = "Base", type_id: str = flat.PART) -> None:
+    recorded(flat.create, strip.Document, strip, layer, type_id)
     # give this part its shape, because the next part must not overlap it
     record_recompute(strip.Document)
 
 
-def make_flat_parts() -> None:
-    """Make the flat parts that the selected strips lack, in one undo step."""
-    missing = [(strip, layer) for strip in chosen_strips() for layer in flat.missing_layers(strip)]
+def make_flat_parts(type_id: str = flat.PART) -> None:
+    """Make the flat parts, or the outlines, that the selected strips lack, in one undo step."""
+    missing = [(strip, layer) for strip in chosen_strips() for layer in flat.missing_layers(strip, type_id)]
     if not missing:
-        raise InputError(translate("Elastica", "Every selected strip has its flat part."))
+        raise InputError(
+            translate("Elastica", "Every selected strip has its flat part.")
+            if type_id == flat.PART
+            else translate("Elastica", "Every selected strip has its outline.")
+        )
     _begin_step("Flat part")
     for strip, layer in missing:
-        _add_flat(strip, layer)
+        _add_flat(strip, layer, type_id)
     close_step(App.ActiveDocument)
 
 

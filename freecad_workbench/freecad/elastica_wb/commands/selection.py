@@ -168,10 +168,14 @@ def chosen_sources() -> list[Any]:
     """Return the selected strips, models, plates, two-state parts and copies.
 
     If none of these is selected, return those of the whole document. A selected container
-    selects its contents. A selected flat part with slots selects its model.
+    selects its contents. A selected flat part selects every object of the document that displays its strip,
+    or its model if it has slots, because all of these are cut from it.
     """
-    sources = _sources(content for obj in Gui.Selection.getSelection() for content in contents(obj))
-    return sources or _all_sources() or chosen_strips()
+    chosen = [content for obj in Gui.Selection.getSelection() for content in contents(obj)]
+    patterns = {cut_for(obj) for obj in chosen if is_flat(obj)}
+    if patterns:
+        chosen += [obj for obj in _shown() if patterns & set(map(cut_for, originals(obj)))]
+    return _sources(chosen) or _all_sources() or chosen_strips()
 
 
 def _sources(objects: Iterable[Any]) -> list[Any]:
@@ -188,10 +192,7 @@ def _all_sources() -> list[Any]:
 
     If there are none, return all strips.
     """
-    objects = App.ActiveDocument.Objects
-    sources = _sources(
-        obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
-    )
+    sources = _sources(_shown())
     assemblies = [
         source for source in sources if not all(is_strip(cut_for(original)) for original in originals(source))
     ]
@@ -201,8 +202,10 @@ def _all_sources() -> list[Any]:
     return sources
 
 
-def _may_show(obj: Any) -> bool:
-    return obj.TypeId in COPYING or hasattr(obj, "Proxy")
+def _shown() -> list[Any]:
+    """Return the objects of the document that may display strips, models or plates, without containers."""
+    objects = (obj for obj in App.ActiveDocument.Objects if obj.TypeId in COPYING or hasattr(obj, "Proxy"))
+    return [obj for obj in objects if contents(obj) == [obj] and not is_broken_link(obj)]
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:

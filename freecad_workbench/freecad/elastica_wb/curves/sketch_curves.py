@@ -3,6 +3,7 @@
 
 """The curve that a feature follows, read from a sketch or an object, with its plane."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -153,6 +154,13 @@ def edge_called(source: Any, name: str) -> Any:
             "{source} no longer has {part}. Choose the curve again.", source=source.Label, part=called
         ) from error
     return element
+
+
+def edge_marks(shape: Any, names: Iterable[str] = ()) -> list[tuple[float, ...]]:
+    """Return length and ends, mm, of each edge of a shape, or of the edges with these names."""
+    edges = [shape.getElement(name) for name in names] if names else shape.Edges
+    ends = [(edge, *map(edge.valueAt, edge.ParameterRange)) for edge in edges]
+    return [tuple(round(x, 6) for x in (edge.Length, *first, *last)) for edge, first, last in ends]
 
 
 def frame_of(placement: App.Placement) -> Frame:

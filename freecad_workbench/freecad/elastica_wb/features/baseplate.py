@@ -44,6 +44,7 @@ PLATE_HOLE_SIZES = {name: field for name, field in HOLE_SIZES.items() if name no
 class BasePlateFeature(Feature):
     """A base plate. Its upper face is in the xy plane of the placement."""
 
+    places = (CONTAINERS,)
     properties = (
         Property(
             "LinkListGlobal", "Sources", "Base plate", "Model or strips whose tabs go through the plate"
@@ -53,7 +54,6 @@ class BasePlateFeature(Feature):
         *(declared_property(field, "Base plate", name) for name, field in SIZES.items()),
         *(declared_property(field, "Holes", name) for name, field in PLATE_HOLE_SIZES.items()),
         REPORTS,
-        CONTAINERS,
     )
 
     sheets: ClassVar = {"Sheet": "SheetData"}
@@ -73,6 +73,7 @@ class RingsFeature(Feature):
     A pair of rings at each end also fixes the angle of inclined tabs.
     """
 
+    places = (CONTAINERS,)
     properties = (
         Property("LinkListGlobal", "Sources", "Rings", "Model or strips whose tabs go through the rings"),
         Property("Enumeration", "Sheet", "Rings", "Sheet of the rings"),
@@ -88,7 +89,6 @@ class RingsFeature(Feature):
         *(declared_property(field, "Rings", name) for name, field in RING_SIZES.items()),
         *(declared_property(field, "Holes", name) for name, field in HOLE_SIZES.items()),
         REPORTS,
-        CONTAINERS,
     )
 
     sheets: ClassVar = {"Sheet": "SheetData"}

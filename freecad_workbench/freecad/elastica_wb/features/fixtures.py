@@ -35,11 +35,11 @@ SIZES = {option.name.title().replace("_", ""): option for option in declared(End
 class FixturesFeature(Feature):
     """The printed blocks for all tabs, in a single compound."""
 
+    places = (CONTAINERS,)
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "Model or strips whose ends are held"),
         *(declared_property(field, "Fixtures", name) for name, field in SIZES.items()),
         REPORTS,
-        CONTAINERS,
     )
 
     def make(self, obj: Any) -> None:

@@ -7,14 +7,14 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.curves.part_shapes import is_bounded
+from freecad.elastica_wb.curves.part_shapes import is_bounded, make_face
 from freecad.elastica_wb.features.model import shown_model
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip import shown_strip
 from freecad.elastica_wb.features.strip_properties import style_of
 from freecad.elastica_wb.host.objects import is_flat, is_model, is_strip
 from freecad.elastica_wb.host.property_table import Property
-from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.solving.strip_cache import engraved_shape
 
 from elastica_cad.errors import FieldName, InputError
@@ -25,10 +25,24 @@ GAP_MM = 10.0
 
 LAYERS = ["Base", "Backing"]
 
+PART, OUTLINE = "Part::FeaturePython", "Part::Part2DObjectPython"
+"""Types of flat parts: the body, and its outline as a plane face.
+
+FreeCAD takes an object of the second type for a sketch, for example as the profile of a pocket.
+"""
+
+WORDS = {
+    (PART, "Base"): QT_TRANSLATE_NOOP("Elastica", "flat"),
+    (PART, "Backing"): QT_TRANSLATE_NOOP("Elastica", "backing"),
+    (OUTLINE, "Base"): QT_TRANSLATE_NOOP("Elastica", "flat outline"),
+    (OUTLINE, "Backing"): QT_TRANSLATE_NOOP("Elastica", "backing outline"),
+}
+
 
 class FlatFeature(Feature):
     """Proxy of the flat part. The user may place the part anywhere."""
 
+    places = ()
     properties = (
         Property("LinkGlobal", "Strip", "Strip", "Strip of this flat part"),
         Property("Enumeration", "Layer", "Strip", "Layer of a laminated strip: base or backing", LAYERS),
@@ -36,7 +50,7 @@ class FlatFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Set the shape to the flat strip with its engraved text."""
+        """Set the shape to the flat strip with its engraved text, or to the face inside its outline."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in {box}.", box=FieldName("Strip"))
         strip = _strip_with_slots(obj)
@@ -45,19 +59,22 @@ class FlatFeature(Feature):
             raise InputError(
                 "{strip} is not laminated and has no backing. Choose the layer Base.", strip=obj.Strip.Label
             )
-        obj.Shape = engraved_shape(strip, layer)
+        if obj.TypeId == PART:
+            obj.Shape = engraved_shape(strip, layer)
+            return
+        obj.Shape = make_face(strip.layers[layer].outline, strip.layers[layer].holes)
+        obj.positionBySupport()
 
 
-def create(document: Any, strip: Any, layer: str = "Base") -> Any:
-    """Make the flat part of a strip in front of the strip, without recomputing the document."""
-    kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
+def create(document: Any, strip: Any, layer: str = "Base", type_id: str = PART) -> Any:
+    """Make the flat part of a strip, or its outline, in front of the strip, without recomputing the document."""
     properties = {
         "Strip": strip,
         "Layer": layer,
-        "Label": f"{strip.Label} {kind}",
+        "Label": f"{strip.Label} {translate('Elastica', WORDS[type_id, layer])}",
         "Placement": _free_placement(strip),
     }
-    obj = added(document, "Flat", FlatFeature, [strip], **properties)
+    obj = added(document, "Flat", FlatFeature, [strip], type_id=type_id, **properties)
     if App.GuiUp:
         obj.ViewObject.ShapeColor = strip.ViewObject.ShapeColor
     return obj
@@ -68,9 +85,9 @@ def layers_of(strip: Any) -> list[str]:
     return LAYERS if style_of(strip) == "Laminated" else LAYERS[:1]
 
 
-def missing_layers(strip: Any) -> list[str]:
-    """Return the layers of a strip that have no flat part."""
-    present = {part.Layer for part in flats_of([strip])}
+def missing_layers(strip: Any, type_id: str = PART) -> list[str]:
+    """Return the layers of a strip that have no flat part, or no outline."""
+    present = {part.Layer for part in flats_of([strip]) if part.TypeId == type_id}
     return [layer for layer in layers_of(strip) if layer not in present]
 
 

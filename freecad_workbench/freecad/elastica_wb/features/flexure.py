@@ -11,7 +11,7 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
-from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip_properties import SHEET_PROPERTIES, sheet_of, value_of_field
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, result
@@ -86,7 +86,6 @@ class FlexureFeature(Feature):
         result("Length", "ThinnestPlace", "Least thickness in the plane"),
         result("Length", "ThickestPlace", "Largest thickness in the plane"),
         result("Float", "LargestStrain", "Largest strain of the skin, in percent"),
-        CONTAINERS,
     )
     sheets: ClassVar = {"Sheet": "SheetData"}
     deciding = ("Free",)

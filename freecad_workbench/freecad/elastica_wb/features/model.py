@@ -13,7 +13,7 @@ import numpy as np
 import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
-from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
+from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import is_model, is_strip
@@ -26,7 +26,7 @@ from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.declared import declared
-from elastica_cad.errors import ElasticaError, FieldName, InputError
+from elastica_cad.errors import ElasticaError, FieldName, InputError, one_of_each
 from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
@@ -64,7 +64,6 @@ class ModelFeature(Feature):
             "Overlaps",
             "Collisions of strips outside their slots, known a moment after the other results",
         ),
-        CONTAINERS,
     )
 
     def make(self, obj: Any) -> None:
@@ -78,7 +77,7 @@ class ModelFeature(Feature):
         put(
             obj,
             Joints=len(model.joints),
-            Reports=[*pre_bend_messages(named_strips), *model.reports],
+            Reports=[*pre_bend_messages(named_strips), *one_of_each(model.reports)],
             Overlaps=list(overlaps.result()) if overlaps is not None and overlaps.done() else [],
         )
 
@@ -146,7 +145,7 @@ def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     messages = _worded(overlaps)
     if messages and obj.Overlaps != messages:
         report_warning(" ".join(messages), obj.Label)
-    put(obj, Overlaps=list(overlaps))
+    put(obj, Overlaps=list(dict.fromkeys(overlaps)))
 
 
 def _search_overlaps(model: Model) -> "Future[tuple[str, ...]]":

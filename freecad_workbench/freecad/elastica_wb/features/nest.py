@@ -27,6 +27,7 @@ SHEET_GAP_MM = 30.0
 class NestFeature(Feature):
     """The outlines of all cuts on sheets side by side."""
 
+    places = ()
     properties = (
         Property("LinkListGlobal", "Sources", "Nest", "Strips, models and base plates to be cut"),
         Property("Length", "SheetWidth", "Nest", "Width of a sheet, along its grain", 600.0),

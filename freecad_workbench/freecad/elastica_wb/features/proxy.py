@@ -3,7 +3,7 @@
 
 """Base class of all features: properties, sheets, dependence on containers, and errors."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, ClassVar
 
@@ -23,9 +23,7 @@ from freecad.elastica_wb.host.property_table import (
 )
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
-    RefusalError,
     explained,
-    raising,
     refused,
     why_not_computed,
     why_not_made,
@@ -54,6 +52,21 @@ CONTAINERS = Property(
 )
 """Property with the containers that can move the curve relative to the feature. A move recomputes the feature."""
 
+COMPANIONS = Property(
+    "LinkList",
+    "Companions",
+    "Curve",
+    "Sources in the same container; they enter and leave containers together with the feature",
+    [],
+    result=True,
+    hidden=True,
+)
+"""Property with the sources in the container of the feature.
+
+FreeCAD moves the objects of this link into another container together with the feature, as for its own features.
+The links to the sources have global scope, because a source may be in another container, such as a body.
+"""
+
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
@@ -63,9 +76,6 @@ SHOWN_BY_ERROR = result(
 )
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
-
-FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
-"""Properties with the objects on which a feature depends."""
 
 # colour components that differ by less count as equal, because FreeCAD rounds colours
 SAME_COLOR = 1e-2
@@ -78,9 +88,15 @@ class Feature(Unsaved):
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
     """Names of the properties with sheet data, by the properties with sheet names."""
+    places: ClassVar[tuple[Property, ...]] = (CONTAINERS, COMPANIONS)
+    """Properties with objects whose placement matters: none for a feature that only the user places."""
     choices: ClassVar[frozenset[str]] = frozenset()
+    links: ClassVar[tuple[str, ...]] = ()
+    """Names of the properties with the objects on which the feature depends."""
     deciding: ClassVar[tuple[str, ...]] = ()
     """Names of the properties whose values decide which other properties have an effect."""
+    reported = ""
+    """Error that the last recompute of the feature printed."""
     chosen: str | None = None
     """Value of an enumeration property before its current change, or None if that value was invalid."""
 
@@ -90,7 +106,8 @@ class Feature(Unsaved):
             Property("String", f"{name}Title", groups[name], "Full name of the sheet", result=True)
             for name in cls.sheets
         ]
-        cls.properties = (*cls.properties, *titles)
+        cls.links = tuple(entry.name for entry in cls.properties if entry.kind.startswith("Link"))
+        cls.properties = (*cls.properties, *titles, *cls.places)
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
 
     def __init__(self, obj: Any) -> None:
@@ -100,6 +117,7 @@ class Feature(Unsaved):
     def onDocumentRestored(self, obj: Any) -> None:
         """Update a feature of a file that an earlier version wrote."""
         self.ensure(obj)
+        _note_containers(obj)
         reword(obj)
         dress(obj)
 
@@ -123,7 +141,7 @@ class Feature(Unsaved):
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Replace an invalid choice, and update the property Containers after a change of the sources.
+        """Replace an invalid choice, and update Containers and Companions after a change of the sources.
 
         After the choice of another sheet, set thickness, sheet data and colour. Properties that lose or gain
         their effect by the change become read-only or editable.
@@ -136,10 +154,10 @@ class Feature(Unsaved):
         # a new object or a copy gets its properties one by one, and `ensure` follows when it has all
         if name in self.deciding and all(entry.name in obj.PropertiesList for entry in self.properties):
             self.show_idle(obj)
-        if (name not in FOLLOWED and name not in self.sheets) or "Restore" in obj.State:
+        if (name not in self.links and name not in self.sheets) or "Restore" in obj.State:
             return
-        if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
-            put(obj, Containers=_containers(obj))
+        if name in self.links:
+            _note_containers(obj)
         if f"{name}Title" in obj.PropertiesList:
             _show_title(obj, name)
         numbers_name = self.sheets.get(name)
@@ -179,12 +197,8 @@ class Feature(Unsaved):
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
-    @property
-    def execute(self) -> Callable[[Any], None]:
-        """Function that FreeCAD calls in a recompute. After an error, the shape is unchanged."""
-        return raising(self._error_of_make)
-
-    def _error_of_make(self, obj: Any) -> RefusalError | None:
+    def execute(self, obj: Any) -> None:
+        """Recompute the feature. After an error, the shape is unchanged."""
         try:
             require_choices(obj, self.properties)
             self._store_sheets(obj)
@@ -192,9 +206,9 @@ class Feature(Unsaved):
         except FAILURES as error:
             explanation = explained(error)
             self.failed(obj, explanation)
-            return refused(obj, explanation)
+            raise refused(obj, explanation) from None
+        self.reported = ""
         _restore_visibility(obj)
-        return None
 
     def make(self, obj: Any) -> None:
         """Compute shape and results from the properties. Subclasses override this method."""
@@ -214,10 +228,16 @@ class Feature(Unsaved):
 
 
 def added(
-    document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = (), **properties: Any
+    document: Any,
+    name: str,
+    proxy: type[Feature],
+    sources: Iterable[Any] = (),
+    *,
+    type_id: str = "Part::FeaturePython",
+    **properties: Any,
 ) -> Any:
     """Add a feature with these properties to the document, or to the App::Part that contains all `sources`."""
-    obj = document.addObject("Part::FeaturePython", name)
+    obj = document.addObject(type_id, name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
     group = groups.pop() if len(groups) == 1 else None
@@ -344,12 +364,10 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
     """
     for obj in document.Objects:
         if is_ours(obj) and CONTAINERS.name in obj.PropertiesList:
-            containers = _containers(obj)
-            changes = obj.Containers != containers
-            if changes:
-                obj.Containers = containers
+            before = obj.Containers
+            _note_containers(obj)
             standing = (above for source in (obj, *_sources_of(obj)) for above in (source, *parents(source)))
-            if changes or any(source.Name in moved for source in standing):
+            if obj.Containers != before or any(source.Name in moved for source in standing):
                 obj.touch()
 
 
@@ -388,17 +406,25 @@ def _sentences(obj: Any) -> Iterator[str]:
     yield str(obj.getStatusString())
 
 
-def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move a feature's sources, but neither contain the feature nor depend on
-    it."""
-    ancestors = [obj, *parents(obj)]
-    containers = [
-        container
-        for source in _sources_of(obj)
-        for container in parents(source)
-        if container not in ancestors
-    ]
-    return [container for container in dict.fromkeys(containers) if not _depends_on(container, obj)]
+def _note_containers(obj: Any) -> None:
+    """Update Containers and Companions.
+
+    Containers has the containers that move a feature's sources, but neither contain the feature nor depend on it.
+    """
+    if not is_ours(obj) or CONTAINERS.name not in obj.PropertiesList:
+        return
+    above = parents(obj)
+    containers = dict.fromkeys(container for source in _sources_of(obj) for container in parents(source))
+    put(
+        obj,
+        Containers=[
+            container
+            for container in containers
+            if container not in (obj, *above) and not _depends_on(container, obj)
+        ],
+    )
+    if COMPANIONS.name in obj.PropertiesList:
+        put(obj, Companions=[source for source in dict.fromkeys(_linked(obj)) if parents(source) == above])
 
 
 def _depends_on(container: Any, obj: Any) -> bool:
@@ -409,9 +435,13 @@ def _depends_on(container: Any, obj: Any) -> bool:
 
 
 def _sources_of(obj: Any) -> Iterator[Any]:
-    for name in [entry for entry in FOLLOWED if entry in obj.PropertiesList]:
-        value = getattr(obj, name)
-        sources = value[:1] if name.endswith("Curve") and value else value or ()
-        for source in sources:
-            yield source
-            yield from _sources_of(source)
+    for source in _linked(obj):
+        yield source
+        yield from _sources_of(source)
+
+
+def _linked(obj: Any) -> Iterator[Any]:
+    for name in obj.Proxy.links if is_ours(obj) else ():
+        value = getattr(obj, name, None)
+        sources = value[:1] if isinstance(value, tuple) else value if isinstance(value, list) else [value]
+        yield from (source for source in sources if source is not None)

@@ -10,7 +10,6 @@ from typing import Any, TypeAlias, get_args
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
-from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import (
     NOTHING,
     Property,
@@ -101,6 +100,15 @@ SHEET_PROPERTIES = (
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
+    Property(
+        "FloatList",
+        "ChosenEdges",
+        "Curve",
+        "Lengths and ends of the edges when they were chosen",
+        [],
+        result=True,
+        hidden=True,
+    ),
     Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
     Property(
         "Length",
@@ -247,7 +255,6 @@ PROPERTIES = (
         hidden=True,
         transient=True,
     ),
-    CONTAINERS,
     *(
         declared_property(field, _group(path), name, given=DEFAULTS.get(name), example=EXAMPLES.get(name, ""))
         for path, field, name in ((path, field, name_of(path)) for path, field in FIELDS.items())
@@ -272,7 +279,6 @@ NEAREST = tuple(
         "Blank",
         "Ratio",
         "Deviation",
-        CONTAINERS.name,
     )
 )
 """Options and results of the nearest curve as a separate feature."""

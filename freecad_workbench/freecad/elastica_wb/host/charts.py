@@ -11,7 +11,7 @@ from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import note
 
-WIDTH_PX, HEIGHT_PX, LEFT_PX, EDGE_PX, LINE_PX = 300, 170, 44, 22, 2
+WIDTH_PX, HEIGHT_PX, LEFT_PX, EDGE_PX, LINE_PX = 196, 150, 44, 22, 2
 INK, LINE, MARK = "#222222", "#1f5fa8", "#c2571a"
 
 

@@ -6,6 +6,7 @@
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
+from textwrap import fill
 from typing import Any
 
 import FreeCADGui as Gui
@@ -16,10 +17,10 @@ from freecad.elastica_wb.host.words import worded
 
 LARGEST = 1e9
 WHOLE = 1_000_000
-# visible letters of a sheet's name in a narrow panel
-SHEET_LETTERS = 14
-# least width, pixels, of a box for a length with its unit
-NARROWEST_PX = 105
+# visible letters of a choice, such as the name of a sheet, in a narrow panel
+CHOICE_LETTERS = 14
+# least width, pixels, of a box for a length with its unit, and largest width of a text on a button
+NARROWEST_PX, BUTTON_PX = 105, 150
 TRIES = 10
 
 _aside: list[Any] = []
@@ -41,7 +42,7 @@ def field_for(obj: Any, name: str) -> Any:
         box.setProperty("unit", UNITS.get(kind, ""))
         box.setProperty("minimum", 0.0 if kind == "App::PropertyLength" else -LARGEST)
         box.setProperty("maximum", LARGEST)
-        Gui.ExpressionBinding(box).bind(obj, name)
+        bind(box, obj, name)
     elif kind == "App::PropertyInteger":
         box = QtWidgets.QSpinBox()
         box.setRange(0, WHOLE)
@@ -54,6 +55,12 @@ def field_for(obj: Any, name: str) -> Any:
         box = QtWidgets.QLineEdit()
     box.setObjectName(name)
     return box
+
+
+def bind(box: Any, obj: Any, name: str) -> None:
+    """Let a quantity box take formulas for a property."""
+    if _is_quantity(box):
+        Gui.ExpressionBinding(box).bind(obj, name)
 
 
 def put_away(widget: Any) -> None:
@@ -77,9 +84,6 @@ def put_choices(box: Any, choices: list[str]) -> None:
 def put_sheets(box: Any, names: list[str]) -> None:
     """Fill a combo box with sheets, grouped under titles that cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
-    box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-    box.setMinimumContentsLength(SHEET_LETTERS)
-    box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
     for i in range(box.count()):
         if box.itemData(i) is None:
             # set the flags under the role that Qt uses, because the item sometimes has the wrong type in
@@ -94,6 +98,15 @@ def _put_items(box: Any, items: list[tuple[str, str | None]]) -> None:
         for text, value in items:
             box.addItem(text, value)
         box.blockSignals(blocked)
+        box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        box.setMinimumContentsLength(CHOICE_LETTERS)
+        box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
+
+
+def put_text(button: Any, text: str) -> None:
+    """Set the text of a button or check box, in lines that fit into a narrow panel."""
+    wide = button.fontMetrics().boundingRect(text).width()
+    button.setText(fill(text, len(text) * BUTTON_PX // wide) if wide > BUTTON_PX else text)
 
 
 def value_of(widget: Any) -> Any:

@@ -3,23 +3,20 @@
 
 """Errors of features, shown as the state of the feature and as one line in the report view.
 
-FreeCAD prints the traceback of an exception that `execute` raises, with all Python functions in it. Therefore
-Python functions return the error, and compiled code raises the error. FreeCAD 1.x repeats the message at the
-end of the recompute, so its first output is suppressed.
+FreeCAD prints the traceback of an exception that `execute` raises, with all Python functions in it, at every
+recompute, and FreeCAD 1.x repeats the message at the end of the recompute. This output is suppressed, and an
+error is reported once.
 """
 
 import os
 import re
-from collections.abc import Callable
-from functools import partial, reduce
-from operator import or_
 from typing import Any
 
 import FreeCAD as App
 import Part
 from FreeCAD import Base
 from freecad.elastica_wb.host.objects import is_ours
-from freecad.elastica_wb.host.words import worded
+from freecad.elastica_wb.host.words import before_report, report_error, worded
 
 from elastica_cad.errors import ElasticaError, FieldName, InputError, MissingDependencyError, note
 
@@ -34,88 +31,61 @@ FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
 """Pattern of FreeCAD's message on a formula that cannot be computed."""
 
 
-class _ErrorName(type):
-    """Metaclass that makes FreeCAD print the label of the failed object as the name of the class."""
-
-    who = ""
-
-    def __str__(cls) -> str:
-        return f" Elastica, {cls.who}"  # FreeCAD prints the class name after the caller of the recompute
-
-
-class RefusalError(ValueError, metaclass=_ErrorName):
-    """Error that `execute` raises if an object cannot be made."""
-
-
-def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """Return the exception for an error of an object."""
-    RefusalError.who = obj.Label
-    if REPEATS and "Recompute" in obj.State:
+def refused(obj: Any, error: ElasticaError) -> ValueError:
+    """Report the error of an object, unless the last recompute reported it, and return it as an exception."""
+    message = worded(str(error))
+    if "Recompute" in obj.State:
+        if message != obj.Proxy.reported and (App.GuiUp or not REPEATS):
+            report_error(message, obj.Label)
         _silence.begin()
-    return RefusalError(worded(str(error)))
+    obj.Proxy.reported = message
+    return ValueError(message)
 
+
+OBSERVERS = ("Console", "ReportOutput", "StatusBar", "File")
+"""Names of what prints errors. FreeCAD 0.20 has no list of them."""
 
 REPEATS = int(App.Version()[0]) >= 1
 """True if this FreeCAD prints the state of failed objects at the end of a recompute."""
 
 
 class _Silence:
-    """Suppression of printed errors, from `begin` until the next change or recompute."""
+    """Suppression of printed errors, from `begin` until the next change, report or recompute."""
 
     def __init__(self) -> None:
-        # names of the console's observers that print errors, or None before the first use
-        self._observers: list[str] | None = None
+        # names of the console's observers that print errors
+        self._observers: list[str] = []
+        App.addDocumentObserver(self)
+        before_report.append(self.end)
 
     def begin(self) -> None:
-        if self._observers is None:
-            App.addDocumentObserver(self)
         self.end()
-        self._observers = [name for name in App.Console.GetObservers() if App.Console.GetStatus(name, "Err")]
+        names = App.Console.GetObservers() if REPEATS else OBSERVERS
+        self._observers = [name for name in names if App.Console.GetStatus(name, "Err")]
         self._set(False)
 
     def end(self, *_: Any) -> None:
         self._set(True)
         self._observers = []
 
-    slotBeforeChangeObject = slotRecomputedObject = slotRecomputedDocument = end
+    slotBeforeChangeObject = slotRecomputedObject = end
+
+    def slotRecomputedDocument(self, document: Any) -> None:
+        """Suppress also what FreeCAD prints after this signal, unless an object of another workbench failed."""
+        self.end()
+        failed = [obj for obj in document.Objects if "Invalid" in obj.State]
+        if App.GuiUp and failed and all(map(is_ours, failed)):
+            from freecad.elastica_wb.host.qt import QtCore
+
+            self.begin()
+            QtCore.QTimer.singleShot(0, self.end)
 
     def _set(self, on: bool) -> None:
-        for name in self._observers or ():
+        for name in self._observers:
             App.Console.SetStatus(name, "Err", on)
 
 
 _silence = _Silence()
-
-
-def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Return a function that raises the error that `work` returns, without a Python frame in the traceback."""
-    # the returned function evaluates `obj | worker | thrower`
-    return partial(reduce, or_, (_Worker(work), _Thrower()))
-
-
-class _Worker:
-    """Operand for which `obj | worker` is the error that `work(obj)` returns, or `_Success`."""
-
-    def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
-        self._work = work
-
-    def __ror__(self, obj: Any) -> "RefusalError | _Success":
-        return self._work(obj) or _Success()
-
-
-class _Success:
-    def __or__(self, _thrower: object) -> None:
-        return None
-
-
-_ended: Any = (nothing for nothing in ())
-next(_ended, None)
-
-
-class _Thrower:
-    """Operand for which `error | thrower` raises the error."""
-
-    __ror__ = staticmethod(_ended.throw)
 
 
 def explained(error: Exception) -> ElasticaError:

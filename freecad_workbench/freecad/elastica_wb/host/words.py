@@ -8,8 +8,9 @@ A message is a record with an English template and values. A catalogue has trans
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from numbers import Real
 from typing import Any
 
@@ -176,23 +177,22 @@ def decimal_point() -> str:
     return str(QtCore.QLocale().decimalPoint())
 
 
-def report(sentence: str, who: str = "") -> None:
+before_report: list[Callable[[], None]] = []
+"""Functions that are called before each report."""
+
+
+def report(sentence: str, who: str = "", printed: Callable[[str], None] = App.Console.PrintMessage) -> None:
     """Report an action in the report view and the terminal. `who` is the label of its object."""
-    App.Console.PrintMessage(_line(sentence, who))
+    for prepare in before_report:
+        prepare()
+    printed(f"Elastica, {who}: {worded(sentence)}\n" if who else f"Elastica: {worded(sentence)}\n")
 
 
-def report_warning(sentence: str, who: str = "") -> None:
-    """Show a warning in the report view. `who` is the label of its object."""
-    App.Console.PrintWarning(_line(sentence, who))
+report_warning = partial(report, printed=App.Console.PrintWarning)
+"""Function that shows a warning in the report view. Its arguments are those of `report`."""
 
-
-def report_error(sentence: str, who: str = "") -> None:
-    """Show an error in the report view. `who` is the label of its object."""
-    App.Console.PrintError(_line(sentence, who))
-
-
-def _line(sentence: str, who: str) -> str:
-    return f"Elastica, {who}: {worded(sentence)}\n" if who else f"Elastica: {worded(sentence)}\n"
+report_error = partial(report, printed=App.Console.PrintError)
+"""Function that shows an error in the report view. Its arguments are those of `report`."""
 
 
 LABELS = {

@@ -34,6 +34,9 @@ from elastica_cad.formats.drawing_style import CURVES
 from elastica_cad.formats.dxf_drawing import DXF_VERSIONS
 from elastica_cad.strip.pieces import Piece
 
+INEXACT = ["arc", "polyline"]
+"""Types of curves in DXF files of version R12, which have no splines."""
+
 
 class ExportPanel(Panel):
     """Panel that writes files on OK. The document does not change."""
@@ -51,8 +54,7 @@ class ExportPanel(Panel):
         form = self.form
         form.version.addItems(list(DXF_VERSIONS))
         form.version.setCurrentText(preferences.get("DxfVersion"))
-        put_choices(form.curves, list(CURVES))
-        set_value(form.curves, preferences.get("Curves"))
+        self._offer(list(CURVES), preferences.get("Curves"))
         set_value(form.kerf, preferences.get("Kerf"))
         set_value(form.tolerance, preferences.get("Tolerance"))
         form.layout().removeWidget(form.whereGroup)
@@ -75,15 +77,26 @@ class ExportPanel(Panel):
             for name in ("version", "label_1_DXFversion"):
                 getattr(form, name).hide()
         self.words = words
-        self.watch("kerf", "curves", "version")
+        self.watch("kerf", "curves", "version", "dxf")
         self.changed()
 
     def changed(self) -> None:
         """Show the messages on the parts, whether the kerf is compensated, and the sizes of the parts."""
-        chosen = {"curves": self.value("curves"), "version": self._cutting().version}
+        version = self._cutting().version
+        curves = INEXACT if version == "R12" and self.value("dxf") else list(CURVES)
+        self._offer(curves, self.value("curves"))
+        chosen = {"curves": self.value("curves"), "version": version}
         self.form.tolerance.setEnabled("tolerance" not in idle_keys(Cutting, Table(chosen, "", {})))
-        words = [*self.words, *self._kerf_notes(), *map(_piece_line, self.pieces)]
-        self.show_message(sentences(words, "\n"))
+        self.show_message("")
+
+    def _offer(self, curves: list[str], chosen: str) -> None:
+        put_choices(self.form.curves, curves)
+        set_value(self.form.curves, chosen if chosen in curves else curves[0])
+
+    def show_message(self, sentence: str) -> None:
+        """Show a message above the messages on the parts and their sizes."""
+        lines = [sentence, *self.words, *self._kerf_notes(), *map(_piece_line, self.pieces)]
+        super().show_message(sentences(filter(None, lines), "\n"))
 
     def _cutting(self) -> Cutting:
         return cutting_of(

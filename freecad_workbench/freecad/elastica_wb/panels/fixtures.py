@@ -7,7 +7,7 @@ from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.fields import put_sheets, set_value
+from freecad.elastica_wb.host.fields import bind, put_sheets, set_value
 from freecad.elastica_wb.host.objects import is_plate
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
@@ -17,9 +17,26 @@ from freecad.elastica_wb.recording import record_call, record_value, recorded
 
 from elastica_cad.errors import InputError
 
+HOLDERS = {
+    # the plate is made first, because it is faster than the blocks and may raise an error
+    "plate": (
+        baseplate.create,
+        {
+            "Sheet": "sheet",
+            "Placement.Base.z": "plateHeight",
+            "Play": "play",
+            "Clearance": "slot",
+            "Border": "border",
+        },
+    ),
+    "rings": (baseplate.create_rings, {"Sheet": "ringSheet", "Gap": "gap"}),
+    "blocks": (fixtures.create, {name: name.lower() for name in ("Clearance", "Wall", "Foot", "Screw")}),
+}
+"""Function that makes each kind of holder, and the names of its boxes by the properties that they set."""
+
 
 class FixturesPanel(Panel):
-    """Panel that makes the ticked kinds of holders, in one undo step."""
+    """Panel that makes the ticked kinds of holders, in one undo step. The boxes take FreeCAD's formulas."""
 
     file = "fixtures"
     icon_name = "Elastica_Fixtures"
@@ -30,40 +47,40 @@ class FixturesPanel(Panel):
         super().__init__(sources[0].Document, sources)
         strips = [source for obj in sources if is_plate(obj) for source in obj.Sources]
         self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(strips))
+        self.holders: dict[str, Any] = {}
         for box in (self.form.sheet, self.form.ringSheet):
             put_sheets(box, sheet_list())
             set_value(box, default_sheet())
         set_value(self.form.slot, preferences.get("Clearance"))
+        for kind in HOLDERS:
+            getattr(self.form, kind).toggled.connect(self._begin)
+        self._begin()
 
     def finished(self) -> None:
         """Make the holders. If this fails, the panel stays open."""
-        form = self.form
-        if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
+        chosen = self._chosen()
+        if not chosen:
             raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
-        holders = []
-        # make the plate first, because it is faster than the blocks and may raise an error
-        if form.plate.isChecked():
-            holders.append(recorded(baseplate.create, self.document, self.sources))
-            record_value(holders[-1], "Sheet", self.value("sheet"))
-            record_value(holders[-1], "Placement.Base.z", self.value("plateHeight"))
-            for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
-                record_value(holders[-1], name, self.value(field))
-            self._make(holders)
-        if form.rings.isChecked():
-            holders.append(recorded(baseplate.create_rings, self.document, self.sources))
-            record_value(holders[-1], "Sheet", self.value("ringSheet"))
-            record_value(holders[-1], "Gap", self.value("gap"))
-            self._make(holders)
-        if form.blocks.isChecked():
-            holders.append(recorded(fixtures.create, self.document, self.sources))
-            for name in ("Clearance", "Wall", "Foot", "Screw"):
-                record_value(holders[-1], name, self.value(name.lower()))
-            self._make(holders)
+        for kind in [kind for kind in self.holders if kind not in chosen]:
+            record_call(self.document, "removeObject", self.holders.pop(kind).Name)
+        for kind in chosen:
+            obj, (_, boxes) = self.holders[kind], HOLDERS[kind]
+            formulas = {path.lstrip(".") for path, _ in obj.ExpressionEngine}
+            for name in [name for name in boxes if name not in formulas]:
+                record_value(obj, name, self.value(boxes[name]))
+            self.document.recompute()
+            failed = why_not_made(obj)
+            if failed:
+                raise InputError(failed)
 
-    def _make(self, features: list[Any]) -> None:
-        self.document.recompute()
-        failed = list(dict.fromkeys(filter(None, map(why_not_made, features))))
-        if failed:
-            for obj in features:
-                record_call(self.document, "removeObject", obj.Name)
-            raise InputError("; ".join(failed))
+    def _chosen(self) -> list[str]:
+        return [kind for kind in HOLDERS if self.value(kind)]
+
+    def _begin(self, *_: Any) -> None:
+        """Make the ticked features without their shapes, so that formulas of the boxes have properties."""
+        for kind in self._chosen():
+            if kind not in self.holders:
+                make, boxes = HOLDERS[kind]
+                self.holders[kind] = recorded(make, self.document, self.sources)
+                for name, box in boxes.items():
+                    bind(getattr(self.form, box), self.holders[kind], name)

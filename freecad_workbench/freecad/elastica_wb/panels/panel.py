@@ -10,7 +10,9 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.fields import calm, into_sight, on_change, set_value, value_of
+from freecad.elastica_wb.curves.part_shapes import is_bounded
+from freecad.elastica_wb.curves.sketch_curves import container
+from freecad.elastica_wb.host.fields import calm, into_sight, on_change, put_text, set_value, value_of
 from freecad.elastica_wb.host.objects import document_lives, lives
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
@@ -25,6 +27,8 @@ from elastica_cad.errors import InputError
 
 # delay, ms, between the last key and the computation of the results
 PAUSE_MS = 60
+# largest width, pixels, of a title in the narrowest task panel
+TITLE_PX = 165
 
 
 class Panel:
@@ -49,10 +53,17 @@ class Panel:
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
+        for button in self.form.findChildren(QtWidgets.QAbstractButton):
+            put_text(button, button.text())
         # labels of objects and names of sheets may look like HTML
         for label in self.form.findChildren(QtWidgets.QLabel):
+            label.setWordWrap(True)
             if label.textFormat() == QtCore.Qt.AutoText:
                 label.setTextFormat(QtCore.Qt.PlainText)
+        bold = QtGui.QFont(self.form.font())
+        bold.setBold(True)
+        title = QtGui.QFontMetrics(bold).elidedText(self.form.windowTitle(), QtCore.Qt.ElideRight, TITLE_PX)
+        self.form.setWindowTitle(title)
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
@@ -206,3 +217,17 @@ def active_view() -> Any:
     """Return the 3D view, or None if another kind of view is active."""
     view = Gui.ActiveDocument.activeView() if Gui.ActiveDocument else None
     return view if hasattr(view, "getSceneGraph") else None
+
+
+def bring_into_view(objects: Iterable[Any]) -> None:
+    """Show the whole document if an object, or a source of it, is not completely in the 3D view."""
+    view = active_view()
+    sources = {source for obj in objects for source in (obj, *obj.OutList) if hasattr(source, "Shape")}
+    shapes = [source for source in sources if is_bounded(source.Shape.BoundBox)]
+    boxes = [obj.Shape.BoundBox.transformed(container(obj).toMatrix()) for obj in shapes]
+    corners = [box.getPoint(i) for box in boxes for i in range(8)]
+    if view is None or not corners:
+        return
+    limits, places = view.getSize(), [view.getPointOnScreen(corner) for corner in corners]
+    if not all(0 <= x <= most for place in places for x, most in zip(place, limits, strict=True)):
+        view.fitAll()

@@ -4,11 +4,11 @@
 """The panel of a feature. Each property has a labelled widget that shows the current value."""
 
 import gc
+import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
-from textwrap import fill
 from typing import Any
 
 import FreeCAD as App
@@ -21,13 +21,14 @@ from freecad.elastica_wb.host.fields import (
     on_change,
     put_away,
     put_choices_of,
+    put_text,
     set_value,
     value_of,
 )
 from freecad.elastica_wb.host.objects import is_sketch, is_strip, lives
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.property_table import Property, reword
-from freecad.elastica_wb.host.qt import BUTTON_LETTERS, QtCore, QtWidgets, later
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.sheet_store import title_of
@@ -61,6 +62,8 @@ STYLES = {
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
 NONE_FOUND = note("No change was found that makes the strip possible. Follow the instruction above.")
 MOST_SUGGESTED = 5
+LONG_WORD, BREAK = re.compile(r"(?<=[a-z])[._](?=[a-z])"), r"\g<0>&#8203;"
+"""Places where a name such as tolerance.thickness_wave may be divided, and what marks them in HTML."""
 
 
 @dataclass(frozen=True)
@@ -148,8 +151,6 @@ class PropertyPanel(Panel):
         form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
         form.message, form.numbers = QtWidgets.QLabel(), QtWidgets.QLabel()
-        form.message.setWordWrap(True)
-        form.numbers.setWordWrap(True)
         form.numbers.setTextFormat(QtCore.Qt.RichText)
         form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         outer.addWidget(form.message)
@@ -159,7 +160,6 @@ class PropertyPanel(Panel):
             button.hide()
             outer.addWidget(button)
         form.searching = QtWidgets.QLabel()
-        form.searching.setWordWrap(True)
         form.searching.hide()
         outer.addWidget(form.searching)
         outer.addWidget(form.numbers)
@@ -191,7 +191,6 @@ class PropertyPanel(Panel):
             outer.addWidget(box)
         # show slow results at the bottom, where they do not move the widgets
         form.footnote = QtWidgets.QLabel()
-        form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
         outer.addStretch(1)
         return form
@@ -349,7 +348,7 @@ class PropertyPanel(Panel):
         for button, text, effect in zip(
             self.form.suggestions, [*self._suggested, *none], effects, strict=False
         ):
-            button.setText(fill(worded(text), BUTTON_LETTERS))
+            put_text(button, worded(text))
             button.setToolTip(_tip([effect]))
             button.setVisible(bool(text))
 
@@ -427,7 +426,6 @@ class PropertyPanel(Panel):
             translate("Elastica", "Then click a sketch or an edge, in the view or in the tree")
         )
         form.pick.toggled.connect(self._picking)
-        form.source.setWordWrap(True)
         form.sourceLabel = QtWidgets.QLabel(translate("Elastica", "Curve"))
         for widget in (form.sourceLabel, form.source):
             row.addWidget(widget)
@@ -478,7 +476,7 @@ def table_of(rows: Sequence[Row]) -> str:
     """Return rows as an HTML table for a label, or "" without rows."""
     table = "".join(
         f"<tr><td>{html_text(worded(row.label))}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
-        f"{html_text(worded(row.text))}</td></tr>"
+        f"{LONG_WORD.sub(BREAK, html_text(worded(row.text)))}</td></tr>"
         for row in rows
     )
     return f"<table>{table}</table>" if rows else ""

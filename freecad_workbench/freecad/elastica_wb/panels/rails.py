@@ -42,6 +42,8 @@ Places = list[tuple[float, float]]
 PLACE_DIGITS = 2
 USUAL_FORCE_N, USUAL_MASS_G = (0.0, -1.0), 10.0
 PROPERTIES = ("Between", "Loads")
+UNITS = {"mass": 1e-3, "forceX": 1e3, "forceY": 1e3}
+"""Size of the units g and N in FreeCAD's base units of mass and force."""
 
 
 @dataclass(frozen=True)
@@ -105,6 +107,10 @@ class RailsPanel(Panel):
         self.watch("place", "other", "forceX", "forceY", "mass", "hole", "notch", "fixed")
         with self.telling():
             self._show()
+
+    def value(self, name: str) -> Any:
+        """Return the value that a widget shows, with lengths in mm, masses in g and forces in N."""
+        return super().value(name) / UNITS[name] if name in UNITS else super().value(name)
 
     def changed(self) -> None:
         """Write the values of the chosen rail, pin, tie or load into the strip, and recompute."""
@@ -274,9 +280,9 @@ class RailsPanel(Panel):
                 set_value(widget, self._number(place))
             if isinstance(item, PointForce):
                 for name, value in zip(("forceX", "forceY"), item.force, strict=True):
-                    set_value(getattr(self.form, name), value)
+                    set_value(getattr(self.form, name), value * UNITS[name])
             if isinstance(item, PointMass):
-                set_value(self.form.mass, item.mass)
+                set_value(self.form.mass, item.mass * UNITS["mass"])
             if isinstance(item, Pin | Tie):
                 set_value(self.form.hole, item.hole)
                 set_value(self.form.notch, item.notch)

@@ -96,7 +96,7 @@ class Watched:
 
 
 # height of a row, and width of the chart, pixels
-ROW, WIDTH = 24, 300
+ROW, WIDTH = 24, 196
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
