@@ -12,7 +12,7 @@ from enum import Enum
 from functools import cached_property
 from operator import attrgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import click
 
@@ -74,6 +74,7 @@ def pages() -> dict[str, str]:
     return {
         "command_line.md": command_line(),
         "python.md": python(),
+        "code_cad.md": code_cad(),
         "sheets.md": sheets(),
         "design_files.md": design_files(),
         SCHEMA_FILE: json.dumps(design_schema(), indent=1) + "\n",
@@ -120,10 +121,50 @@ def python() -> str:
     return "\n".join(parts)
 
 
-def _members(cls: type) -> Iterator[tuple[str, object]]:
-    """Public methods and properties of a class, those of a base in geometry too, in the order of the source."""
+def code_cad() -> str:
+    """Every public name for build123d and CadQuery. Their common options are listed once."""
+    from elastica_cad import build123d, cadquery
+    from elastica_cad.kernel.strip_body import BendOptions
+    from elastica_cad.kernel.strip_on_path import BlockOptions
+    from elastica_cad.kernel.strip_options import StripOptions
+
+    parts = [
+        "# build123d and CadQuery",
+        "",
+        "Lengths are mm, angles degrees. [Strips in build123d and CadQuery](../code_cad.md) explains the use of "
+        "these names. The functions and classes for strips take the options at the end of this page as keywords.",
+        "",
+    ]
+    for title, library, shape in (
+        ("build123d", build123d, build123d.BentStrip),
+        ("CadQuery", cadquery, cadquery.StripSolid),
+    ):
+        parts += [f"## {title}", ""]
+        for name in library.__all__:
+            thing = getattr(library, name)
+            parts += [f"### {title}: {name}", "", *_described(name, thing)]
+            bases = (library.__name__, "elastica_cad.kernel") if thing is shape else ()
+            for member, value in _members(thing, bases) if inspect.isclass(thing) else ():
+                parts += [f"#### {name}.{member}", "", *_described(member, value)]
+    for title, options in (
+        ("Options of a strip", StripOptions),
+        ("Options of a block", BlockOptions),
+        ("Options of bending", BendOptions),
+    ):
+        parts += [f"## {title}", ""]
+        for name, hint in options.__annotations__.items():
+            kind, text = get_args(hint)
+            parts.append(f"- `{name}`, {_escaped(kind.__forward_arg__)}: {_escaped(text)}")
+        parts.append("")
+    return "\n".join(parts)
+
+
+def _members(
+    cls: type, packages: tuple[str, ...] = ("elastica_cad.geometry",)
+) -> Iterator[tuple[str, object]]:
+    """Public methods and properties of a class and of its bases in packages, in the order of the source."""
     for base in cls.__mro__:
-        if base is cls or base.__module__.startswith("elastica_cad.geometry"):
+        if base is cls or base.__module__.startswith(packages):
             for name, found in vars(base).items():
                 value = getattr(found, "__func__", found)  # of a class method or a static method
                 described = isinstance(value, (property, cached_property)) or inspect.isfunction(value)
@@ -139,15 +180,15 @@ def _described(name: str, thing: object) -> list[str]:
         asked = [
             one.replace(annotation=one.empty)
             for one in signature.parameters.values()
-            if one.name not in ("self", "cls")
+            if one.name not in ("self", "cls") and str(one.default) != "..."  # an option that is listed once
         ]
         signature = signature.replace(parameters=asked, return_annotation=signature.empty)
         lines += ["```python", f"{name}{signature}", "```", ""]
-    return [*lines, *_markdown(inspect.getdoc(thing) or "")]
+    return [*lines, *_markdown((inspect.getdoc(thing) or "").partition("\nOptions\n")[0])]
 
 
 SECTION = re.compile(
-    r"^(Parameters|Attributes|Returns|Yields|Raises|References|Notes|Examples)\n-+\n", re.MULTILINE
+    r"^(Parameters|Attributes|Returns|Yields|Raises|Warns|References|Notes|Examples)\n-+\n", re.MULTILINE
 )
 
 

@@ -23,6 +23,8 @@ from elastica_cad.geometry.fairing import FIT_TOLERANCE
 
 if TYPE_CHECKING:
     from elastica_cad.form_finding.section_spec import Surface
+    from elastica_cad.kernel.flexure_body import FlexureBody
+    from elastica_cad.kernel.strip_body import StripBody
     from elastica_cad.model.model import Model
     from elastica_cad.pairs.flexure import Flexure
     from elastica_cad.strip.drawing import Drawing
@@ -280,13 +282,18 @@ def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
     return missing_library(f"{doing} {path.name} needs a CAD kernel", "build123d")
 
 
-def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) -> Path:
-    """Write a drawing, a strip, or a part with two states. The suffix of `path` selects the format.
+def save(
+    made: "Drawing | Strip | Flexure | StripBody | FlexureBody", path: str | Path, **options: Any
+) -> Path:
+    """Write a drawing, a strip, a part with two states, or a body. The suffix of `path` selects the format.
 
     The formats are .dxf and .svg, and .step for strips and parts. The .step file of a strip contains the flat
     and the bent strip. The .step file of a two-state part contains the unloaded part or, with `state` "first"
     or "second", the part in this state. The options are those of `formats.write_drawing`: kerf, curves,
     tolerance, version, layers, force. For STEP, the only other option is force.
+
+    A body of build123d or CadQuery, such as a `BentStrip`, is written at its position to .step, .stl or .glb, and
+    its flat pattern to .dxf or .svg.
 
     Raises
     ------
@@ -308,10 +315,11 @@ def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) ->
     from elastica_cad.strip.strip import Strip
 
     drawing: Any = made
-    if isinstance(made, Strip) or (not isinstance(made, Drawing) and _is_flexure(made)):
-        if Path(path).suffix.lower() in (".step", ".stp"):
-            return _save_step(made, Path(path), options)
-        drawing = made.drawing()
+    is_body = hasattr(made, "_made")
+    if isinstance(made, Strip) or is_body or (not isinstance(made, Drawing) and _is_flexure(made)):
+        if Path(path).suffix.lower() in (".step", ".stp", *((".stl", ".glb") if is_body else ())):
+            return _save_solids(made, Path(path), options)
+        drawing = drawing.drawing()
     refuse_options_unlike(options, write_drawing, "a drawing's file")
     return write_drawing(drawing, path, **options)
 
@@ -322,12 +330,15 @@ def _is_flexure(part: object) -> bool:
     return isinstance(part, Flexure)
 
 
-def _save_step(part: "Strip | Flexure", path: Path, options: dict[str, Any]) -> Path:
+def _save_solids(part: Any, path: Path, options: dict[str, Any]) -> Path:
     try:
+        from elastica_cad.kernel.mesh_files import write_body
         from elastica_cad.kernel.step_files import write_flexure_step, write_strip_step
     except ImportError as error:
         raise _no_kernel(path, "writing") from error
     write: Callable[..., None] = write_flexure_step if _is_flexure(part) else write_strip_step
-    refuse_options_unlike(options, write, "a STEP file")
+    if hasattr(part, "_made"):
+        write = write_body
+    refuse_options_unlike(options, write, f"a {path.suffix[1:].upper()} file")
     write(part, path, **options)
     return path

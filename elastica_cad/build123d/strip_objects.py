@@ -96,7 +96,7 @@ class _Jointed(_Pickled):
         return image
 
 
-class _StripShape(_Jointed, StripBody):
+class StripShape(_Jointed, StripBody):
     """Base of shapes of a strip. Copies of a shape share the strip."""
 
     def _start(self) -> Frame | None:
@@ -193,6 +193,10 @@ class _StripShape(_Jointed, StripBody):
             solids.append(solid)
         return tuple(solids)
 
+    def _named_parts(self) -> list[bd.Shape]:
+        bodies: Any = self.copies
+        return bodies if self._made.home is None else [layer for body in bodies for layer in body.layers]
+
     @property
     def assembly(self) -> bd.Compound:
         """Sheets of the bent strip as children of a compound, with names and colours."""
@@ -228,10 +232,16 @@ class _StripShape(_Jointed, StripBody):
         return plain
 
 
-# base of joints that move the end of a strip
-class _TravelJoint:
+class TravelJoint:
+    """Base of joints that move the end of a strip. A further joint of a body has a number in its name."""
+
     travel: "Travel"
     parent: Any
+    label: str
+
+    def __repr__(self) -> str:
+        path = f"{self.travel.length:.4g} {self.travel.unit}"
+        return f"<{type(self).__name__} {self.label!r} of {self.parent.label!r}, {path}>"
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the state with calls that make axes and vectors, because these cannot be pickled."""
@@ -265,10 +275,19 @@ class _TravelJoint:
     @property
     def _frame(self) -> Frame:
         """Current plane of the strip. The plane moves with the body when the body is joined to others."""
-        return self.parent.frame if isinstance(self.parent, _StripShape) else self.travel.frame
+        return self.parent.frame if isinstance(self.parent, StripShape) else self.travel.frame
 
 
-class Slider(_TravelJoint, bd.LinearJoint):
+def _free_name(rib: Any) -> str:
+    # return "slider", or with a number if the body has joints of such names
+    return next(
+        name
+        for name in ("slider", *map("slider{}".format, range(2, len(rib.joints) + 3)))
+        if name not in rib.joints
+    )
+
+
+class Slider(TravelJoint, bd.LinearJoint):
     """Linear joint "slider": the end of a strip moves straight to another point without turning.
 
     `connect_to(joint, position=...)` moves the part that is attached to the end. `bent(position)` returns the
@@ -302,17 +321,16 @@ class Slider(_TravelJoint, bd.LinearJoint):
     (145.0, 145.0)
     """
 
-    def __init__(self, rib: "_StripShape", end: Point | None) -> None:
+    def __init__(self, rib: "StripShape", end: Point | None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, None)
         place = bd.Location(occt.make_location(self.travel.place))
-        super().__init__(
-            "slider", rib, bd.Axis(place.position, bd.Plane(place).x_dir), (0.0, self.travel.length)
-        )
+        axis = bd.Axis(place.position, bd.Plane(place).x_dir)
+        super().__init__(_free_name(rib), rib, axis, (0.0, self.travel.length))
 
 
-class AngleSlider(_TravelJoint, bd.RevoluteJoint):
+class AngleSlider(TravelJoint, bd.RevoluteJoint):
     """Revolute joint "slider": the end of a strip rotates in place.
 
     `connect_to(joint, angle=...)` rotates the part that is attached to the end; its x axis is along the
@@ -347,19 +365,15 @@ class AngleSlider(_TravelJoint, bd.RevoluteJoint):
     0.349066
     """
 
-    def __init__(self, rib: "_StripShape", angle: float, end: Point | None = None) -> None:
+    def __init__(self, rib: "StripShape", angle: float, end: Point | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, angle)
         place = bd.Location(occt.make_location(self.travel.place))
         body: Any = rib
         self._home = body.location.inverse() * place  # frame of the end, relative to the body
-        super().__init__(
-            "slider",
-            rib,
-            bd.Axis(place.position, bd.Plane(place).z_dir),
-            angular_range=(0.0, self.travel.length),
-        )
+        axis = bd.Axis(place.position, bd.Plane(place).z_dir)
+        super().__init__(_free_name(rib), rib, axis, angular_range=(0.0, self.travel.length))
 
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
         """Return the location, relative to the strip, of the part whose joint `other` is attached to the end.
@@ -378,7 +392,7 @@ class AngleSlider(_TravelJoint, bd.RevoluteJoint):
 
 
 @lists(StripOptions, drawn=True)
-class StripOutline(_StripShape, bd.BaseSketchObject):
+class StripOutline(StripShape, bd.BaseSketchObject):
     """Sketch object: the flat pattern of the strip that bends into a curve.
 
     The x axis is along the strip from the start of its free part, and y = 0 is the centre line.
@@ -422,7 +436,9 @@ class StripOutline(_StripShape, bd.BaseSketchObject):
         _set_strip(self, made_strip)
 
 
-class _StripPart(_StripShape, bd.BasePartObject):
+class StripPart(StripShape, bd.BasePartObject):
+    """Base of part objects of a strip."""
+
     _is_bent = False
 
     def __init__(
@@ -446,7 +462,7 @@ class _StripPart(_StripShape, bd.BasePartObject):
 
 
 @lists(StripOptions, drawn=True)
-class FlatStrip(_StripPart):
+class FlatStrip(StripPart):
     """Part object: the strip as cut, on the xy plane.
 
     Rigid joints "start", "end", "hole1", "hole2", ... are at half the thickness, with z away from the sheet and x
@@ -462,7 +478,7 @@ class FlatStrip(_StripPart):
 
 
 @lists(StripOptions, drawn=True)
-class BentStrip(_StripPart):
+class BentStrip(StripPart):
     """Part object: the bent strip, with half its thickness on either side of the drawn curve.
 
     Inside a builder the path is in the coordinates of its workplane. Joints are as on `FlatStrip`, and errors are
@@ -480,7 +496,7 @@ class BentStrip(_StripPart):
 
 
 @lists(BlockOptions, StripOptions, drawn=True)
-class EndFixture(_StripShape, bd.BasePartObject):
+class EndFixture(StripShape, bd.BasePartObject):
     """Part object: the block that holds an end of the bent strip, positioned for the `BentStrip` of the same path.
 
     Its rigid joint "tab" is at the end of the free part, with x out of the strip. Connect "tab" to the strip's
@@ -524,6 +540,7 @@ class EndFixture(_StripShape, bd.BasePartObject):
         self.label = block.label
 
 
+@lists()
 class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
     """Part object: a two-state part, either unloaded or in one of its states.
 
@@ -585,7 +602,7 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
         return part
 
 
-class PlacedStrip(_StripShape, bd.Part):
+class PlacedStrip(StripShape, bd.Part):
     """Bent strip in its position in a model, with properties `strip`, `rod`, `check` and `warnings`."""
 
 

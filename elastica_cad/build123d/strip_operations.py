@@ -21,7 +21,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import MadeStrip, clamped_wire, model_parts
+from elastica_cad.kernel.strip_body import MadeStrip, Point, clamped_wire, model_parts
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.loads import Gravity
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 @overload
 def elastic_strip(
     path: Drawn | None = None,
-    *,
     sheet: Sheet | str | None = None,
+    *,
     max_width: float | None = None,
     form: Literal["bent"] = "bent",
     mode: bd.Mode = bd.Mode.ADD,
@@ -48,8 +48,8 @@ def elastic_strip(
 @overload
 def elastic_strip(
     path: Drawn | None = None,
-    *,
     sheet: Sheet | str | None = None,
+    *,
     max_width: float | None = None,
     form: Literal["flat"],
     mode: bd.Mode = bd.Mode.ADD,
@@ -60,8 +60,8 @@ def elastic_strip(
 @overload
 def elastic_strip(
     path: Drawn | None = None,
-    *,
     sheet: Sheet | str | None = None,
+    *,
     max_width: float | None = None,
     form: Literal["outline"],
     mode: bd.Mode = bd.Mode.ADD,
@@ -72,8 +72,8 @@ def elastic_strip(
 @lists(StripOptions, drawn=True)
 def elastic_strip(
     path: Drawn | None = None,
-    *,
     sheet: Sheet | str | None = None,
+    *,
     max_width: float | None = None,
     form: Literal["bent", "flat", "outline"] = "bent",
     mode: bd.Mode = bd.Mode.ADD,
@@ -185,6 +185,7 @@ def section_strips(
     )
 
 
+@lists()
 class Elastica(bd.BaseLineObject):
     """Line object: the curve of a strip of given length between two clamped ends, or between a clamped and a
     free end.
@@ -194,7 +195,8 @@ class Elastica(bd.BaseLineObject):
     Parameters
     ----------
     start, end : point
-        Points in the plane of the workplane, mm. With `end=None`, the end is free and the start is clamped.
+        Points in the plane of the workplane or, with the same z, in a parallel plane, mm. Without `end`, the end is
+        free and the start is clamped.
     length : float
         Length of the strip, mm. It must exceed the distance between the ends.
     angles : pair of float or None
@@ -227,9 +229,9 @@ class Elastica(bd.BaseLineObject):
 
     def __init__(
         self,
-        start: bd.VectorLike,
-        end: bd.VectorLike | None,
-        length: float,
+        start: Point,
+        end: Point | None = None,
+        length: float | None = None,
         *,
         angles: tuple[float | None, float | None] = (None, None),
         stiffness: "float | Sequence[float] | Profile" = 1.0,
@@ -251,6 +253,9 @@ class Elastica(bd.BaseLineObject):
             side=side,
         )
         super().__init__(bd.Wire(wire), mode)
+
+    def __repr__(self) -> str:
+        return f"<Elastica of {self.length:.4g} mm: {self.branch}>"
 
 
 def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:

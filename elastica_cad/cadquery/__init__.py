@@ -12,6 +12,7 @@ except ImportError as error:
     ) from error
 
 from elastica_cad.cadquery.strip_operations import (
+    Sketch,
     Workplane,
     elastica,
     model_assembly,
@@ -36,6 +37,7 @@ from elastica_cad.kernel.strip_body import StripWarning
 __all__ = [
     "FixtureSolid",
     "FlexureSolid",
+    "Sketch",
     "Slider",
     "StripCompound",
     "StripFace",

@@ -1,7 +1,7 @@
 """Curves of bent strips, strips along sections, models as assemblies, and the methods `elasticStrip`."""
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias, Unpack
 
 import cadquery as cq
 
@@ -21,7 +21,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import MadeStrip, clamped_wire, model_parts
+from elastica_cad.kernel.strip_body import MadeStrip, Point, clamped_wire, model_parts
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.loads import Gravity
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 
 
 def elastica(
-    start: cq.Vector | tuple[float, float],
-    end: cq.Vector | tuple[float, float] | None,
-    length: float,
+    start: Point,
+    end: Point | None = None,
+    length: float | None = None,
     *,
     angles: tuple[float | None, float | None] = (None, None),
     stiffness: "float | Sequence[float] | Profile" = 1.0,
@@ -46,12 +46,13 @@ def elastica(
     side: int = 1,
     buckling: int = 1,
 ) -> cq.Edge:
-    """Return the curve of a strip of given length, between two clamped ends or with a free end, as an edge in xy.
+    """Return the curve of a strip of given length, between two clamped ends or with a free end, as an edge.
 
     Parameters
     ----------
-    start, end : (x, y) or Vector
-        Ends, mm. With `end=None`, the end is free and the start is clamped.
+    start, end : point
+        Ends in the xy plane or, with the same z, in a parallel plane, mm. Without `end`, the end is free and the
+        start is clamped.
     length : float
         Length of the strip, mm. It must exceed the distance between the ends.
     angles : pair of float or None
@@ -162,9 +163,9 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
     -------
     Assembly
         Assembly with the name of the model. Its children are named after the parts; "_" replaces characters
-        that CadQuery's queries do not permit. The end faces of each strip have the tags "start" and "end",
-        and its metadata "strip" is the `Strip`. For a laminate, this child is the base, and the backing is a
-        child of the base.
+        that CadQuery's queries do not permit. The faces of each strip have tags: "start", "end", "hole1",
+        "hole1_top", "hole1_bottom", ... Its metadata "strip" is the `Strip`. For a laminate, this child is the
+        base, and the backing is a child of the base.
 
     Raises
     ------
@@ -181,18 +182,26 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
             assembly.constrain(name, "Fixed")
             continue
         work = cq.Workplane(obj=body)
-        faces = {end: body.end_face(end) for end in ENDS}
-        for end, face in faces.items():
-            work.newObject([face]).tag(end)
+        _tag_faces(work, [body])
         strip = cq.Assembly(work, name=name, loc=place, color=color, metadata={"strip": part.strip})
         for sheet, label, its_color in zip(glued_on, part.names[1:], colors, strict=True):
             strip.add(sheet, name=free_name(label, assembly), color=its_color)
         assembly.add(strip)
-        for end, face in faces.items():
-            there = face.moved(place)
+        for end in ENDS:
+            there = body.end_face(end).moved(place)
             assembly.constrain(f"{name}?{end}", "FixedPoint", there.Center().toTuple())
             assembly.constrain(f"{name}?{end}", "FixedAxis", there.normalAt().toTuple())
     return assembly
+
+
+def _tag_faces(work: cq.Workplane, bodies: "Sequence[StripSolid | StripCompound]") -> None:
+    # tag the end faces of the bodies, and the faces in their holes
+    found: dict[str, list[cq.Face]] = {}
+    for body in bodies:
+        for name, face in body.tagged_faces.items():
+            found.setdefault(name, []).append(face)
+    for name, faces in found.items():
+        work.newObject(faces).tag(name)
 
 
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
@@ -209,8 +218,112 @@ Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 MAKERS: dict[Form, Callable[..., Any]] = {"flat": flat_strip, "bent": bent_strip, "outline": strip_outline}
 
-METHOD = "elasticStrip"
-Work = TypeVar("Work", bound=cq.Workplane)
+
+def _edges(shapes: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
+    return [edge for item in shapes for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
+
+
+class Workplane(cq.Workplane):
+    """CadQuery's Workplane with the method `elasticStrip`, declared for editors and type checkers."""
+
+    @lists(StripOptions)
+    def elasticStrip(
+        self,
+        sheet: Sheet | str,
+        *,
+        max_width: float | None = None,
+        form: Form = "bent",
+        combine: bool | str = False,
+        clean: bool = True,
+        **options: Unpack[StripOptions],
+    ) -> Self:
+        """Return the strip of the pending or selected edges and wires.
+
+        Parameters
+        ----------
+        sheet : Sheet or str
+            The sheet, or the name of a built-in sheet.
+        max_width : float
+            Largest width of the free part, mm; alternatively pass `min_width`, the least width.
+        form : "bent", "flat" or "outline"
+            A flat strip (also available as `.flat` of a bent strip) is on the workplane, with the start of its
+            free part at the origin. The outline, a face that can be extruded, has the same position. A bent strip
+            is at its edges, which are first moved to the points of the stack, if there are any.
+        combine, clean
+            The same as in `Workplane.eachpoint`, for solids only.
+
+        Returns
+        -------
+        Workplane
+            Its stack has a strip for every chain of edges at every point of the previous stack. The faces of solids
+            have tags: "start", "end", "hole1", "hole1_top", "hole1_bottom", ...
+        """
+        if form not in MAKERS:
+            raise InputError(f"`form` is {form!r}. Use one of flat, bent, outline.")
+        if form == "outline" and combine:
+            raise InputError(
+                "An outline is a face and cannot be combined with a solid. Extrude it first, or choose form='flat'."
+            )
+        pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
+        selected = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
+        if not selected:
+            raise InputError("There is no curve. Draw a curve on the workplane, or select edges.")
+        # pending edges meet if their gap is at most 1e-4 mm
+        bodies: list[StripFace | StripSolid | StripCompound] = [
+            MAKERS[form](chain, sheet, max_width=max_width, workplane=self.plane, **options)
+            for chain in cq.Wire.combine(_edges(selected), 1e-4)
+        ]
+        # clean only combined solids, because clean() deletes the data of a strip
+        tidy = clean and bool(combine)
+        points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
+        places = points or [cq.Location()]
+        # a bent strip on its own curve is not moved
+        local = form != "bent" or bool(points)
+        if local and form == "bent":
+            bodies = [body.moved(self.plane.location.inverse) for body in bodies]
+        # `eachpoint` calls `at_place` at all places for the first body, then for the next
+        remaining = iter([body for body in bodies for _ in places])
+        placed = []
+
+        def at_place(place: cq.Location) -> StripFace | StripSolid | StripCompound:
+            placed.append(next(remaining).moved(place) if local else next(remaining))
+            return placed[-1]
+
+        strips: Self = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
+        _tag_faces(self, [body for body in placed if not isinstance(body, StripFace)])
+        return strips
+
+
+class Sketch(cq.Sketch):
+    """CadQuery's Sketch with the method `elasticStrip`, declared for editors and type checkers."""
+
+    @lists(StripOptions)
+    def elasticStrip(
+        self,
+        sheet: Sheet | str,
+        *,
+        max_width: float | None = None,
+        mode: str = "a",
+        tag: str | None = None,
+        **options: Unpack[StripOptions],
+    ) -> Self:
+        """Replace the edges of the sketch by the flat pattern of the strip that bends into them.
+
+        Parameters
+        ----------
+        sheet : Sheet or str
+            The sheet, or the name of a built-in sheet.
+        max_width : float
+            Largest width of the free part, mm; alternatively pass `min_width`, the least width.
+        mode, tag
+            As in `Sketch.face`.
+        """
+        if not self._edges:
+            raise InputError("There is no curve. Draw edges in the sketch first.")
+        face = strip_outline(list(self._edges), sheet, max_width=max_width, **options)
+        self._edges.clear()
+        sketch: Self = self.reset().face(face, mode=mode, tag=tag)
+        return sketch
 
 
 def register() -> None:
@@ -221,119 +334,12 @@ def register() -> None:
     InputError
         A class already has a method `elasticStrip` of another library.
     """
-    methods: dict[type, Callable[..., Any]] = {cq.Workplane: _workplane_strip, cq.Sketch: _sketch_strip}
+    methods: dict[Any, Any] = {cq.Workplane: Workplane.elasticStrip, cq.Sketch: Sketch.elasticStrip}
     for owner, method in methods.items():
-        if getattr(owner, METHOD, method) is not method:
+        if getattr(owner, "elasticStrip", method) is not method:
             raise InputError(
-                f"cq.{owner.__name__} already has a method {METHOD} of another library. Use the functions "
+                f"cq.{owner.__name__} already has a method elasticStrip of another library. Use the functions "
                 "of elastica_cad.cadquery instead."
             )
     for owner, method in methods.items():
-        setattr(owner, METHOD, method)
-
-
-@lists(StripOptions)
-def _workplane_strip(
-    self: Work,
-    sheet: Sheet | str,
-    *,
-    max_width: float | None = None,
-    form: Form = "bent",
-    combine: bool | str = False,
-    clean: bool = True,
-    **options: Unpack[StripOptions],
-) -> Work:
-    """Return the strip of the pending or selected edges and wires.
-
-    Parameters
-    ----------
-    sheet : Sheet or str
-        The sheet, or the name of a built-in sheet.
-    max_width : float
-        Largest width of the free part, mm; alternatively pass `min_width`, the least width.
-    form : "bent", "flat" or "outline"
-        A flat strip (also available as `.flat` of a bent strip) is on the workplane, with the start of its
-        free part at the origin. The outline, a face that can be extruded, has the same position. A bent strip
-        is at its edges, which are first moved to the points of the stack, if there are any.
-    combine, clean
-        The same as in `Workplane.eachpoint`, for solids only.
-
-    Returns
-    -------
-    Workplane
-        Its stack has a strip for every chain of edges at every point of the previous stack. The end faces of solids
-        have the tags "start" and "end".
-    """
-    if form not in MAKERS:
-        raise InputError(f"`form` is {form!r}. Use one of flat, bent, outline.")
-    if form == "outline" and combine:
-        raise InputError(
-            "An outline is a face and cannot be combined with a solid. Extrude it first, or choose form='flat'."
-        )
-    pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
-    selected = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
-    if not selected:
-        raise InputError("There is no curve. Draw a curve on the workplane, or select edges.")
-    # pending edges meet if their gap is at most 1e-4 mm
-    bodies: list[StripFace | StripSolid | StripCompound] = [
-        MAKERS[form](chain, sheet, max_width=max_width, workplane=self.plane, **options)
-        for chain in cq.Wire.combine(_edges(selected), 1e-4)
-    ]
-    # clean only combined solids, because clean() deletes the data of a strip
-    tidy = clean and bool(combine)
-    points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
-    places = points or [cq.Location()]
-    # a bent strip on its own curve is not moved
-    local = form != "bent" or bool(points)
-    if local and form == "bent":
-        bodies = [body.moved(self.plane.location.inverse) for body in bodies]
-    # `eachpoint` calls `at_place` at all places for the first body, then for the next
-    remaining = iter([body for body in bodies for _ in places])
-    placed = []
-
-    def at_place(place: cq.Location) -> StripFace | StripSolid | StripCompound:
-        placed.append(next(remaining).moved(place) if local else next(remaining))
-        return placed[-1]
-
-    strips: Work = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
-    for end in ENDS:
-        self.newObject([body.end_face(end) for body in placed if not isinstance(body, StripFace)]).tag(end)
-    return strips
-
-
-class Workplane(cq.Workplane):
-    """CadQuery's Workplane with the method `elasticStrip`, declared for editors and type checkers."""
-
-    elasticStrip = _workplane_strip
-
-
-def _edges(shapes: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
-    return [edge for item in shapes for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
-
-
-@lists(StripOptions)
-def _sketch_strip(
-    self: cq.Sketch,
-    sheet: Sheet | str,
-    *,
-    max_width: float | None = None,
-    mode: str = "a",
-    tag: str | None = None,
-    **options: Unpack[StripOptions],
-) -> cq.Sketch:
-    """Replace the edges of the sketch by the flat pattern of the strip that bends into them.
-
-    Parameters
-    ----------
-    sheet : Sheet or str
-        The sheet, or the name of a built-in sheet.
-    max_width : float
-        Largest width of the free part, mm; alternatively pass `min_width`, the least width.
-    mode, tag
-        As in `Sketch.face`.
-    """
-    if not self._edges:
-        raise InputError("There is no curve. Draw edges in the sketch first.")
-    face = strip_outline(list(self._edges), sheet, max_width=max_width, **options)
-    self._edges = []
-    return self.reset().face(face, mode=mode, tag=tag)
+        owner.elasticStrip = method

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack, overload
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack, cast, overload
 
 import cadquery as cq
 
@@ -28,6 +28,8 @@ from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
+    from cadquery.occ_impl.geom import VectorLike
+
     from elastica_cad.pairs.flexure import Flexure, State
 
 
@@ -90,9 +92,24 @@ class _Moved(_Pickled):
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
 
+    @overload
+    def moved(self, place: "cq.Location | VectorLike", /) -> Self: ...
+
+    @overload
+    def moved(
+        self, x: float = 0, y: float = 0, z: float = 0, rx: float = 0, ry: float = 0, rz: float = 0
+    ) -> Self: ...
+
+    @overload
+    def moved(self, *places: Any) -> cq.Shape: ...
+
     def moved(self, *args: Any, **options: Any) -> Any:
         """Return moved copies, as `Shape.moved` does. A single copy has the data of this shape."""
         return self._with_record(super().moved(*args, **options))
+
+    def mirror(self, mirrorPlane: Any = "XY", basePointVector: "VectorLike" = (0, 0, 0)) -> Self:
+        """Return the mirrored strip, as `Shape.mirror` does."""
+        return cast("Self", super().mirror(mirrorPlane, basePointVector))
 
     def located(self, loc: cq.Location) -> Self:
         return self._with_record(super().located(loc))
@@ -120,7 +137,9 @@ class _Moved(_Pickled):
         return copy
 
 
-class _StripShape(StripBody, _Moved):
+class StripShape(StripBody, _Moved):
+    """Base of shapes of a strip. Copies of a shape share the strip."""
+
     def _start(self) -> Frame | None:
         return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
 
@@ -173,6 +192,9 @@ class _StripShape(StripBody, _Moved):
             solid.label, solid.color = name, cq.Color(*color)
             solids.append(solid)
         return tuple(solids)
+
+    def _named_parts(self) -> tuple[cq.Shape, ...]:
+        return (self,) if self._made.home is None else self.layers
 
     @property
     def assembly(self) -> cq.Assembly:
@@ -252,11 +274,14 @@ class Slider:
     30.0
     """
 
-    def __init__(self, rib: "_StripShape", end: Point | None = None, *, angle: float | None = None) -> None:
+    def __init__(self, rib: "StripShape", end: Point | None = None, *, angle: float | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, angle)
         self._rib = rib
+
+    def __repr__(self) -> str:
+        return f"<Slider of {self._rib.label!r}, {self.travel.length:.4g} {self.travel.unit}>"
 
     def place(self, position: float) -> cq.Location:
         """Return the frame of the end at a position on the path, mm or degrees.
@@ -291,7 +316,7 @@ class Slider:
         )
 
 
-class StripFace(_StripShape, cq.Face):
+class StripFace(StripShape, cq.Face):
     """Flat pattern of a strip, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
@@ -304,17 +329,19 @@ class _Jointed(_Moved):
     def joints(self) -> Mapping[str, cq.Location]:
         """Locations at which other parts are joined.
 
-        The joints of a strip are "start" and "end", at the ends of its free part, and "hole1", "hole2", ... for
-        its holes. Each joint is at half the thickness. Its z axis points away from the strip, and its x axis is
-        along the strip, outward at the ends. The joint of a fixture is "tab", at an end of its strip. For the
-        joints of a two-state part see `FlexureSolid`.
+        The joints of a strip are "start" and "end", at the ends of its free part, and "hole1", "hole1:top",
+        "hole1:bottom", ... for its holes. Joints are at half the thickness, or on the face that they name.
+        The z axis points away from the strip, and the x axis is along the strip, outward at the ends. The joint of
+        a fixture is "tab", at an end of its strip. For the joints of a two-state part see `FlexureSolid`.
         """
         here = self.location()
         # viewers would take a dict named `joints` for joints of build123d
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
 
-class _Ended(_StripShape, _Jointed):
+class EndedShape(StripShape, _Jointed):
+    """Base of solids of a strip, with faces at its ends and in its holes."""
+
     def end_face(self, end: StripEnd) -> cq.Face:
         """Return the plane face at an end of the strip."""
         if end not in ENDS:
@@ -327,6 +354,32 @@ class _Ended(_StripShape, _Jointed):
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
         return min(self.Faces(), key=lambda face: (_middle_of_corners(face) - tip).Length)
 
+    def hole_face(self, hole: str) -> cq.Face:
+        """Return a round plane face inside a hole, for constraints: "hole1", "hole1_top" or "hole1_bottom".
+
+        It is at the joint of this name, normal to the z axis of the joint.
+        """
+        places = self._hole_places
+        if hole not in places:
+            raise InputError(f"The strip has no hole {hole!r}. Its holes are: {', '.join(places) or 'none'}.")
+        (number,) = re.findall(r"\d+", hole)
+        left, right = self.strip.holes[int(number) - 1].bounds
+        disc = cq.Face.makeFromWires(
+            cq.Wire.makeCircle(min(right - left) / 2, cq.Vector(), cq.Vector(0, 0, 1))
+        )
+        return disc.moved(self.location() * places[hole])
+
+    @property
+    def tagged_faces(self) -> dict[str, cq.Face]:
+        """Faces by their tags: "start" and "end", and the faces in holes, such as "hole1_top"."""
+        ends: dict[str, cq.Face] = {end: self.end_face(end) for end in ENDS}
+        return {**ends, **{hole: self.hole_face(hole) for hole in self._hole_places}}
+
+    @property
+    def _hole_places(self) -> dict[str, cq.Location]:
+        # CadQuery's queries do not permit the colon in the names of joints
+        return {_query_name(name): at for name, at in self._joints.items() if name.startswith("hole")}
+
 
 def _middle_of_corners(face: cq.Face) -> cq.Vector:
     # `Center` takes seconds for a face with hundreds of holes
@@ -334,7 +387,7 @@ def _middle_of_corners(face: cq.Face) -> cq.Vector:
     return sum(corners, cq.Vector()) / len(corners)
 
 
-class StripSolid(_Ended, cq.Solid):
+class StripSolid(EndedShape, cq.Solid):
     """Flat or bent strip, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
@@ -355,11 +408,11 @@ class Sheets(cq.Compound):
         return fuse(self, *toFuse, **options)
 
 
-class StripCompound(_Ended, Sheets):
+class StripCompound(EndedShape, Sheets):
     """The sheets of a laminated strip, flat or bent, with the properties of `StripSolid`."""
 
 
-class FixtureSolid(_StripShape, _Jointed, cq.Solid):
+class FixtureSolid(StripShape, _Jointed, cq.Solid):
     """Block that holds one end of a strip, with properties `strip`, `rod`, `check` and `warnings` of the strip."""
 
     _is_strip = False
@@ -417,7 +470,7 @@ def flexure_solid(flexure: "Flexure", state: "State | None" = None, *, color: An
     return part
 
 
-S = TypeVar("S", bound=_StripShape)
+S = TypeVar("S", bound=StripShape)
 
 
 @lists(StripOptions, drawn=True)

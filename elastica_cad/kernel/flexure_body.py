@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from elastica_cad._values import require_record
 from elastica_cad.kernel.strip_body import color_numbers
 from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.solids import FlatSolid
 
 if TYPE_CHECKING:
@@ -46,6 +47,20 @@ class FlexureBody:
     """Properties that a body of a flexure has in every CAD library."""
 
     _made: MadeFlexure
+    label: str
+    color: Any
+    wrapped: Any
+
+    def __repr__(self) -> str:
+        state = f", {self.state} state" if self.state else ""
+        return f"<{type(self).__name__} {self.label!r} of {self.flexure!r}{state}>"
+
+    def drawing(self) -> Drawing:
+        """Return the drawing of the unloaded part."""
+        return self.flexure.drawing()
+
+    def _named_parts(self) -> tuple["FlexureBody"]:
+        return (self,)
 
     @property
     def flexure(self) -> "Flexure":

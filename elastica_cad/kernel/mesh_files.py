@@ -11,9 +11,11 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.kernel.flexure_body import FlexureBody
 from elastica_cad.kernel.occt import coordinates, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
-from elastica_cad.kernel.step_files import NamedShape, make_document
+from elastica_cad.kernel.step_files import NamedShape, make_document, write_step
+from elastica_cad.kernel.strip_body import StripBody, color_numbers
 
 
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:
@@ -52,7 +54,20 @@ successive segments of an edge, rad."""
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
-def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = None) -> None:
+def write_body(body: StripBody | FlexureBody, path: str | PathLike[str], *, force: bool = False) -> None:
+    """Write a body of a CAD library at its position to a STEP, STL or GLB file, as the suffix of `path` states."""
+    suffix = Path(path).suffix.lower()
+    if suffix == ".stl":
+        write_stl(body.wrapped, path, force=force)
+        return
+    parts = [NamedShape(part.label, part.wrapped, color_numbers(part.color)) for part in body._named_parts()]
+    write = write_glb if suffix == ".glb" else write_step
+    write(parts, path, name=body.label, force=force)
+
+
+def write_stl(
+    body: Shape, path: str | PathLike[str], *, bed: Frame | None = None, force: bool = False
+) -> None:
     """Write a body to a binary STL file, optionally placed on the printer bed.
 
     Parameters
@@ -73,10 +88,12 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     rows["corners"] = corners
     rows["normal"] = across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None]
     count = np.uint32(len(rows)).astype("<u4")
-    write_atomically(path, b"binary STL, mm".ljust(80) + count.tobytes() + rows.tobytes())
+    write_atomically(path, b"binary STL, mm".ljust(80) + count.tobytes() + rows.tobytes(), force=force)
 
 
-def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str) -> None:
+def write_glb(
+    parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str, force: bool = False
+) -> None:
     """Write parts with their positions, names and colours to a GLB file, in metres and with y upward."""
     k = kernel()
     for part in parts:
@@ -94,4 +111,4 @@ def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: s
         if not writer.Perform(document, about, k.Message_ProgressRange()):
             raise InputError("OpenCASCADE could not write this model as GLB. Check that its parts are valid.")
         content = file.read_bytes()
-    write_atomically(path, content)
+    write_atomically(path, content, force=force)

@@ -1,8 +1,9 @@
-"""Lists of keyword arguments in docstrings and signatures, for `help` and completion."""
+"""Lists of keyword arguments in docstrings, signatures and errors, for `help` and completion."""
 
 import re
 from collections.abc import Callable, Iterator
-from inspect import Parameter, cleandoc, isclass
+from functools import wraps
+from inspect import Parameter, Signature, cleandoc, isclass
 from typing import Any, TypeVar, get_args
 
 from elastica_cad._signatures import PlainText, plain_signature
@@ -22,6 +23,8 @@ DRAWN = {
 
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     """Return a decorator that adds the keys of `options` to docstring and signature of a class or function.
+
+    A call that does not fit the signature raises a TypeError with the public name of the class or function.
 
     A key is declared as `Annotated["type", "help"]` in a typed dictionary. If several dictionaries declare a key,
     the first one describes the key. Keys that the docstring already describes are not repeated. With `drawn`, the
@@ -46,20 +49,60 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
         for name, hint in option.__annotations__.items()
     }
 
-    def add(thing: T) -> T:
-        _write_signature(thing, keys)
-        if thing.__doc__ is None:  # `python -OO` removes docstrings
-            return thing
-        text = cleandoc(thing.__doc__)
-        if drawn:
-            text = _with_first_parameters(text)
-        rows = (
-            row for name, row in _rows(keys) if not re.search(rf"^(.*, )?{name}(,.*)? :", text, re.MULTILINE)
-        )
-        thing.__doc__ = "\n".join([text, "", "Options", "-------", *rows, ""])
-        return thing
+    def add(thing: Any) -> Any:
+        function = thing.__init__ if isclass(thing) else thing
+        given = plain_signature(function)
+        written = _with_keys(given, keys)
+        call = _checked(function, given, written)
+        if isclass(thing):
+            thing.__init__, call = call, thing  # type: ignore[method-assign]  # each class has its own
+            written = written.replace(
+                parameters=[*written.parameters.values()][1:], return_annotation=Parameter.empty
+            )
+        call.__signature__ = written
+        if call.__doc__ is not None:  # `python -OO` removes docstrings
+            text = cleandoc(call.__doc__)
+            text = _with_first_parameters(text) if drawn else text
+            rows = [
+                row
+                for name, row in _rows(keys)
+                if not re.search(rf"^(.*, )?{name}(,.*)? :", text, re.MULTILINE)
+            ]
+            call.__doc__ = "\n".join([text, *(["", "Options", "-------", *rows, ""] if rows else [])])
+        return call
 
     return add
+
+
+def _checked(function: Callable[..., Any], given: Signature, written: Signature) -> Any:
+    """Return the function with errors that state its public name and the names of its arguments.
+
+    `given` has the keys of `written` as `**options`, so that the function itself refuses unknown keys.
+    """
+    placed, named = (
+        [name for name, entry in written.parameters.items() if entry.kind is kind]
+        for kind in (Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY)
+    )
+
+    @wraps(function)
+    def call(*args: Any, **options: Any) -> Any:
+        try:
+            given.bind(*args, **options)
+        except TypeError as error:
+            problem, owner = str(error), ""
+            public = [name for name in placed if name != "self"]
+            if public != placed:
+                owner = f"{type(args[0]).__name__}."
+            if len(args) > len(placed) and named:
+                problem = (
+                    f"takes {' and '.join(public) or 'no argument'} by position. Pass other arguments by name, "
+                    f"such as {named[0]}=..."
+                )
+            name = f"{owner}{function.__name__}".removesuffix(".__init__")
+            raise TypeError(f"{name}: {problem}") from None
+        return function(*args, **options)
+
+    return call
 
 
 def _rows(keys: dict[str, tuple[str, str]]) -> Iterator[tuple[str, str]]:
@@ -78,9 +121,8 @@ def _with_first_parameters(text: str) -> str:
     return "\n\n".join(part for part in (text[:place].rstrip(), first.rstrip(), text[place:]) if part)
 
 
-def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
-    """Give a function or class a signature with its options as keyword arguments."""
-    given = plain_signature(thing.__init__ if isclass(thing) else thing)
+def _with_keys(given: Signature, keys: dict[str, tuple[str, str]]) -> Signature:
+    """Return a signature with the keys as keyword arguments in place of `**options`."""
     named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
     taken = {entry.name for entry in named}
     added = [
@@ -88,5 +130,4 @@ def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
         for name, (kind, _) in keys.items()
         if name not in taken
     ]
-    written = given.replace(parameters=[*named[isclass(thing) :], *added])
-    thing.__signature__ = written.replace(return_annotation=Parameter.empty) if isclass(thing) else written
+    return given.replace(parameters=[*named, *added])

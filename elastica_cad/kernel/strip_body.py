@@ -12,7 +12,14 @@ from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, Length, note, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path, Spline
-from elastica_cad.kernel.occt import face_frame, make_face, make_sheets, make_wire, sub_shapes
+from elastica_cad.kernel.occt import (
+    coordinates,
+    face_frame,
+    make_face,
+    make_sheets,
+    make_wire,
+    sub_shapes,
+)
 from elastica_cad.kernel.ocp_import import Shape, kernel
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, angles_in_rad, elastica_between
@@ -21,7 +28,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.model.collisions import missing_slots, self_contact
-from elastica_cad.strip.drawing import ENGRAVE
+from elastica_cad.strip.drawing import ENGRAVE, Drawing
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, bent_colors
 from elastica_cad.strip.strip import Placed, Strip
@@ -79,12 +86,23 @@ def warn_of_radians(angles: Sequence[float], least: float) -> None:
 
 
 def clamped_wire(
-    start: Any, end: Any, length: float, *, angles: object, buckling: int, **others: Any
+    start: Any, end: Any, length: Any, *, angles: object, buckling: int, **others: Any
 ) -> tuple[ElasticaBetween, Shape]:
-    """Return the rod of `elastica_between`, and its curve as a TopoDS_Wire. The angles are in degrees."""
+    """Return the rod of `elastica_between`, and its curve as a TopoDS_Wire at the height of its ends.
+
+    The angles are in degrees.
+    """
     mode = whole_number(buckling, "buckling", 1)
-    rod = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
-    return rod, make_wire(Path([Spline(rod.curve)]))
+    rows = [_read_point(point) for point in (start, end) if point is not None]
+    heights = [row[2] if len(row) == 3 else 0.0 for row in rows] or [0.0]
+    if abs(heights[0] - heights[-1]) > 1e-6:
+        raise InputError(
+            "start and end are {apart:.4g} apart in z. Pass points with the same z, in the plane of the curve.",
+            apart=Length(abs(heights[0] - heights[-1])),
+        )
+    first, last = (_read_point(point)[:2] or point for point in (start, end))
+    rod = elastica_between(first, last, length, angles=end_angles(angles), mode=mode, **others)
+    return rod, make_wire(Path([Spline(rod.curve)]), Frame((0.0, 0.0, heights[0])))
 
 
 def warn(text: str) -> None:
@@ -118,20 +136,38 @@ class TupleLike(Protocol):
         """Return the coordinates."""
 
 
-Point: TypeAlias = Iterable[float] | TupleLike
-"""Point in space, or two coordinates in the frame of a body, mm."""
+class LocationLike(Protocol):
+    """Interface of a location of build123d or CadQuery."""
+
+    wrapped: Any
+
+
+Point: TypeAlias = Iterable[float] | TupleLike | LocationLike
+"""Point in space, position of a location, or two coordinates in the frame of a body, mm."""
 
 
 def numbers_of(point: Point) -> tuple[float, ...]:
-    """Return the coordinates of a sequence, or of a vector of build123d or CadQuery.
+    """Return the coordinates of a sequence, or of a vector or location of build123d or CadQuery.
 
     Raises
     ------
     TypeError, ValueError
         The object is neither a sequence of numbers nor a vector.
     """
+    wrapped = getattr(point, "wrapped", None)
+    if isinstance(wrapped, kernel().TopLoc_Location):
+        return coordinates(wrapped.Transformation().TranslationPart())
     numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
     return tuple(map(float, numbers))
+
+
+def _read_point(point: Any) -> tuple[float, ...]:
+    # return the two or three coordinates of a point, or () if the object is not a point
+    try:
+        row = numbers_of(point)
+    except (TypeError, ValueError):
+        row = ()
+    return row if len(row) in (2, 3) else ()
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
@@ -155,13 +191,13 @@ def color_numbers(color: Any) -> tuple[float, ...]:
 class BendOptions(TypedDict, total=False):
     """Options for moving and turning the ends of a strip: see `mechanics.bend`."""
 
-    start: Annotated[
-        "Point | None",
-        "Final position of the start: a point in space, or two numbers in the body's `frame` (mm).",
-    ]
     end: Annotated[
         "Point | None",
         "Final position of the end: a point in space, or two numbers in the body's `frame` (mm).",
+    ]
+    start: Annotated[
+        "Point | None",
+        "Final position of the start: a point in space, or two numbers in the body's `frame` (mm).",
     ]
     angles: Annotated[
         "tuple[float | None, float | None] | ArrayLike | None",
@@ -250,6 +286,13 @@ class StripBody:
     color: Any
     wrapped: Any
 
+    def __repr__(self) -> str:
+        # a rounded body of CadQuery has no strip
+        made: MadeStrip | None = self.__dict__.get("_made")
+        if made is None:
+            return super().__repr__()
+        return f"<{type(self).__name__} {self.label!r} of {made.strip!r}>"
+
     @property
     def label(self) -> str:
         """Name of the body and of its strip. Bodies that are made from this body have the same name."""
@@ -298,6 +341,16 @@ class StripBody:
         block = self._made.block
         return (*self.strip.warnings, *(() if block is None else block.warnings))
 
+    def drawing(self) -> Drawing:
+        """Return the drawing of the flat strip. A block is not cut from a sheet and has none."""
+        if not self._is_strip:
+            raise InputError(f"{self.label} is a block, which has no flat pattern. Write it as STEP or STL.")
+        return self.strip.drawing()
+
+    def _named_parts(self) -> Sequence[Any]:
+        # return the parts of the body for files, with names and colours: the sheets of a bent strip
+        raise NotImplementedError
+
     @property
     def placed(self) -> Placed:
         """Strip with its position in space, for `Model`."""
@@ -326,13 +379,10 @@ class StripBody:
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
         """Return a point, mm, in the plane of the strip. A point in space must be on this plane."""
-        try:
-            row = numbers_of(point)
-        except (TypeError, ValueError):
-            row = ()
+        row = _read_point(point)
         if len(row) == 2:
             return row
-        if len(row) != 3:
+        if not row:
             raise InputError(
                 f"{name} is {point!r}. Pass a point in space, or two numbers in the strip's frame, in mm."
             )

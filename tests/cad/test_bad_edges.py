@@ -143,7 +143,7 @@ def test_build123d_signatures():
 
     for name in ("StripOutline", "FlatStrip", "BentStrip", "EndFixture"):
         called_as(getattr(build123d, name).__init__, ["self", "path", "sheet"], {"max_width"})
-    called_as(build123d.elastic_strip, ["path"], {"sheet", "max_width", "form", "mode"})
+    called_as(build123d.elastic_strip, ["path", "sheet"], {"max_width", "form", "mode"})
     assert inspect.signature(build123d.elastic_strip).parameters["path"].default is None
     with pytest.raises(TypeError, match="widht"):
         build123d.FlatStrip(PlaneCurve.arc((0, 0), 50, 0, 2), SHEET, widht=3)
@@ -158,6 +158,37 @@ def test_cadquery_signatures():
     cadquery.register()
     called_as(cq.Workplane.elasticStrip, ["self", "sheet"], {"max_width", "form"})
     called_as(cq.Sketch.elasticStrip, ["self", "sheet"], {"max_width"})
+
+
+@pytest.mark.build123d
+def test_calls_that_do_not_fit_name_what_users_call():
+    from elastica_cad import build123d
+
+    rib = build123d.BentStrip(PlaneCurve.arc((0, 0), 50, 0, 2), SHEET, max_width=5, ignore_limits=True)
+    for call, message in (
+        (lambda: build123d.BentStrip(rib, SHEET, 20), "BentStrip: takes path and sheet by position.*max_width="),
+        (build123d.FlatStrip, "FlatStrip: missing a required argument: 'path'"),
+        (lambda: build123d.elastic_strip(rib, SHEET, 20), "elastic_strip: .*max_width="),
+        (lambda: rib.bent((1, 2)), r"BentStrip\.bent: takes no argument by position.*end="),
+        (lambda: rib.fixture("start", 1), r"BentStrip\.fixture: takes end by position.*clearance="),
+        (build123d.FlexurePart, "FlexurePart: missing a required argument: 'flexure'"),
+    ):  # fmt: skip
+        with pytest.raises(TypeError, match=message):
+            call()
+    for name in ("FlexurePart", "Elastica"):
+        assert "args" not in inspect.signature(getattr(build123d, name)).parameters
+
+
+@pytest.mark.cadquery
+def test_calls_that_do_not_fit_in_cadquery():
+    from elastica_cad import cadquery
+
+    cadquery.register()
+    work = cq.Workplane().moveTo(0, 0).lineTo(50, 0)
+    with pytest.raises(TypeError, match=r"Workplane\.elasticStrip: takes sheet by position.*max_width="):
+        work.elasticStrip(SHEET, 20)
+    with pytest.raises(TypeError, match=r"Sketch\.elasticStrip: missing a required argument: 'sheet'"):
+        cq.Sketch().elasticStrip()
 
 
 def called_as(function, positional, keywords):

@@ -41,7 +41,7 @@ class TestFreeFunctions:
         outline = strip_outline(edge, SHEET, **OPTIONS)
         assert outline.isValid()
         assert measure.area(outline.wrapped) == pytest.approx(outline.strip.area, rel=1e-9)
-        assert len(outline.outerWire().Edges()) == 8
+        assert len(outline.outerWire().Edges()) == 8 + 2  # the tab at the start is eased
 
     def test_flat(self, edge):
         flat = flat_strip(edge, SHEET, **OPTIONS)
@@ -76,6 +76,18 @@ class TestFreeFunctions:
             assert (face.normalAt() - outward).Length < 1e-9
             assert (face.Center() - edge.positionAt(u) - outward * 12).Length < 1e-9
 
+    def test_faces_in_holes(self, edge):
+        bent = bent_strip(edge, SHEET, **OPTIONS).moved(cq.Location((1, 2, 3), (0, 1, 0), 30))
+        for tag, joint in (("hole1", "hole1"), ("hole1_top", "hole1:top"), ("hole1_bottom", "hole1:bottom")):
+            face = bent.hole_face(tag)
+            outward = cq.Plane(bent.joints[joint]).zDir
+            assert face.Center().toTuple() == pytest.approx(place(bent.joints[joint]), abs=1e-9)
+            assert (face.normalAt() - outward).Length < 1e-9
+        with pytest.raises(
+            InputError, match=r"no hole 'hole2'\. Its holes are: hole1, hole1_top, hole1_bottom"
+        ):
+            bent.hole_face("hole2")
+
     def test_several_edges_and_workplanes(self, edge):
         arc = cq.Edge.makeThreePointArc(cq.Vector(0, 0), cq.Vector(10, 10), cq.Vector(20, 0))
         with pytest.warns(StripWarning, match=r"strain is 4 %.*allows"):
@@ -93,7 +105,7 @@ class TestWorkplane:
         box = work.val().BoundingBox()
         assert (box.ymin, box.ymax) == pytest.approx((-15, 15), abs=1e-5)
         assert work.val().isValid()
-        assert work.faces(tag="end").size() == 1
+        assert work.faces(tag="end").size() == work.faces(tag="hole1_top").size() == 1
         assert work.val().strip.label == "A1"
         assert type(work) is workplane
 

@@ -60,8 +60,18 @@ class TestBuild123d:
             bd_strips.Elastica((0, 0), (70, 0), 60)
         with pytest.raises(InputError, match="buckling is 0: give"):
             bd_strips.Elastica((0, 0), (70, 0), 100, buckling=0)
-        with pytest.raises(InputError, match="give a point"):
+        with pytest.raises(InputError, match="1 mm apart in z"):
             bd_strips.Elastica((0, 0, 1), (70, 0, 0), 100)
+        with pytest.raises(InputError, match="length is None: give"):
+            bd_strips.Elastica((0, 0), (70, 0))
+
+    def test_a_plane_beside_the_workplane(self):
+        line = bd_strips.Elastica((0, 0, 5), bd.Location((70, 0, 5)), 100)
+        assert [line.position_at(u).Z for u in (0, 0.4, 1)] == pytest.approx([5, 5, 5])
+        with bd.BuildLine(bd.Plane.XZ) as drawn:
+            free = bd_strips.Elastica((0, 0, 5), length=100, angles=(30, None))
+        assert tuple(drawn.line.edge().position_at(0)) == pytest.approx((0, -5, 0))
+        assert repr(free).startswith("<Elastica of 100 mm: ")
 
 
 @pytest.mark.cadquery

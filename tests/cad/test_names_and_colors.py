@@ -5,7 +5,8 @@ import pickle
 
 import pytest
 
-from elastica_cad import Laminated, Model, Sheet, Tab
+import elastica_cad as ec
+from elastica_cad import InputError, Laminated, Model, Sheet, Tab
 from elastica_cad.mechanics.sheets import sheet_color
 from tests.cad.conftest import CURVES
 from tests.cad.libraries import bd, bd_strips, cq, cq_strips
@@ -110,3 +111,25 @@ def test_color_is_an_option_of_both_libraries():
     for wrong in ("rad", (1, 2), (0, 0, 7), 3):
         with pytest.raises(ValueError, match=r"color is .* Pass a CAD library's Color"):
             bent(CURVE, "pom-0.5", color=wrong, **OPTIONS)
+
+
+@pytest.mark.build123d
+@pytest.mark.parametrize("form", ["bent", "flat"])
+def test_bodies_are_saved_at_their_position_with_names_and_colors(tmp_path, form):
+    rib = bd.Pos(5, 6, 7) * bd_strips.BentStrip(CURVE, "birch-plywood-0.8", label="L", color="red", **GLUED)
+    body = getattr(rib, form) if form == "flat" else rib
+    for suffix in ("dxf", "svg", "step", "stl", "glb"):
+        ec.save(body, tmp_path / f"rib.{suffix}")
+    read = bd.import_step(tmp_path / "rib.step")
+    assert tuple(read.center()) == pytest.approx(tuple(body.center()), abs=1e-3)
+    assert read.volume == pytest.approx(body.volume, rel=1e-5)
+    if form == "bent":
+        assert [child.label for child in read.children] == ["L", "L_backing"]  # as build123d reads names
+    assert (
+        pytest.approx(body.bounding_box().max.Z, abs=0.05)
+        == bd.import_stl(tmp_path / "rib.stl").bounding_box().max.Z
+    )
+    ec.save(rib.strip, tmp_path / "strip.dxf")
+    assert (tmp_path / "strip.dxf").read_bytes() == (tmp_path / "rib.dxf").read_bytes()
+    with pytest.raises(InputError, match="is a block, which has no flat pattern"):
+        ec.save(rib.fixture(), tmp_path / "block.svg")

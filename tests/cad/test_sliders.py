@@ -155,6 +155,8 @@ def test_a_carriage_rides_in_build123d(arch_strip, tmp_path):
     carriage = bd.Box(8, 30, 8)
     bd.RigidJoint("foot", carriage, bd.Location((0, 0, 4)))
     assert rib.joints["slider"] is slider
+    hinge = rib.slider(angle=float(np.degrees(rib.rod.angle[-1])) + 5)
+    assert (rib.joints["slider"], rib.joints["slider2"]) == (slider, hinge)
     for position in (0.0, 12.5, slider.linear_range[1]):
         slider.connect_to(carriage.joints["foot"], position=position)
         rides = carriage.joints["foot"].location.position

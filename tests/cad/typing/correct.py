@@ -1,7 +1,21 @@
 """What users of build123d write: a type checker finds no mistake."""
 
+from pathlib import Path
+
+import build123d as bd
+import cadquery as cq
+
 import elastica_cad as ec
-from elastica_cad.build123d import AngleSlider, BentStrip, FlatStrip, Slider, StripOutline, elastic_strip
+from elastica_cad.build123d import (
+    AngleSlider,
+    BentStrip,
+    Elastica,
+    FlatStrip,
+    Slider,
+    StripOutline,
+    elastic_strip,
+)
+from elastica_cad.cadquery import StripCompound, StripSolid, bent_strip
 
 
 def correct() -> None:
@@ -12,6 +26,13 @@ def correct() -> None:
     flat: FlatStrip = elastic_strip(arch, sheet="mdf-3", max_width=20, form="flat", ends=tabs)
     face: StripOutline = elastic_strip(arch, sheet="mdf-3", max_width=20, form="outline")
     slider: Slider = rib.slider((3, 4))
+    rib = elastic_strip(arch, "mdf-3", max_width=20)
+    line = Elastica((0, 0, 5), length=100, angles=(30, None))
+    rib = rib.bent(end=bd.Location((100, 0, 0)))
+    saved: Path = ec.save(rib, "rib.step", force=True)
+    solid: StripSolid | StripCompound = bent_strip(arch, "mdf-3", max_width=20)
+    moved: StripSolid | StripCompound = solid.moved(cq.Location((1, 2, 3))).mirror("YZ").moved(x=3)
+    print(line, saved, moved, solid.hole_face("hole1_top"))
     hinge: AngleSlider = rib.slider(angle=30)
     model = ec.Model([BentStrip(arch, "mdf-3", max_width=20, color="red").placed for _ in range(3)])
     rib = elastic_strip(arch, sheet="mdf-3", max_width=20, loads=ec.PointMass(40, 3), between=ec.Pin(40))
