@@ -22,7 +22,7 @@ Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
-MET = 1e-6  # largest violation of a limit that counts as met; see `ActiveLimit.broken` for its units
+MET = 5e-5  # largest violation of a limit that counts as met; see `ActiveLimit.broken` for its units
 # distance from the drawn curve, as a fraction of its diagonal, above which a rod counts as a different curve
 FAR_SHARE = 0.03
 

@@ -130,7 +130,7 @@ class NearestRod:
 
     @property
     def met(self) -> bool:
-        """True if all limits are met, with a tolerance of 1e-6."""
+        """True if all limits are met, with a tolerance of 5e-5."""
         return self.violation <= MET
 
     @cached_property

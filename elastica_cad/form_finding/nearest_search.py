@@ -316,7 +316,7 @@ def _measured(search: Search) -> Search:
     """
     task, problem, outcomes = search.task, search.problem, (search.best, *search.others)
     far = task.off(search.best.point) > SETTINGS.measured_distance * task.target.diagonal
-    if task.request.measure == "max" and far and search.best.violation <= MET:
+    if task.request.measure == "max" and far:
         problem = replace(problem, distance=task.distance)
         measured = [minimize(problem, o.point) for o in outcomes[: SETTINGS.measured]]
         search = search._replace(steps=search.steps + sum(o.iterations for o in measured))

@@ -426,6 +426,11 @@ def test_the_verdict_on_an_open_sketch(tmp_path):
     assert verdict == "can"
     assert f"The new curve has {poles} poles" in found["cost"]
     assert found["keep"] == [True, ""]
+    words, times, refused, larger = found["larger"]
+    assert re.sub(r"\s+", " ", words) == f"Draw the curve {times:g} times as large."
+    assert times > 1
+    assert "sheet needs at least" in refused
+    assert "sheet needs at least" not in larger
     assert found["empty"] == ["no curve yet", False, False, "First draw a single curve."]
 
 

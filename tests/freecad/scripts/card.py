@@ -137,6 +137,17 @@ def work():
     answers["cost"] = live.session().sentence
     answers["keep"] = [card.keep.isEnabled(), card.why.text()]
     picture("poles.png")
+    # a curve too sharp for the sheet is drawn as large as the sheet needs
+    Gui.ActiveDocument.resetEdit()
+    drawn, card = opened(IMPOSSIBLE["sharp"], "Larger")
+    live_at_rest()
+    words, before = card.larger.text(), poles(drawn)
+    first = live.session().sentence
+    press_on_card("larger")
+    until(lambda: poles(drawn) != before)
+    live_at_rest()
+    answers["larger"] = [words, poles(drawn)[-1][0] / before[-1][0], first, live.session().sentence]
+    picture("larger.png")
     # nothing can be kept possible in an empty sketch
     Gui.ActiveDocument.resetEdit()
     empty = document.addObject("Sketcher::SketchObject", "Empty")

@@ -38,10 +38,12 @@ from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.live.verdict_card import VerdictCard
 from freecad.elastica_wb.recording import record_call, recorded
 from freecad.elastica_wb.solving.strip_cache import (
+    AS_DRAWN_MM,
     SEARCHING,
     DraggableCurve,
     default_spec,
     nearest_to_drag,
+    sharpest_bend,
     solve_strip,
 )
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict, answer_of, refusal_answer, strip_answer
@@ -52,6 +54,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, Length, note, sentences
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.point_search import move_while_possible
+from elastica_cad.mechanics.section_limits import sharp_bend_message
 from elastica_cad.strip.strip_spec import StripSpec
 
 # delay, ms, of slower results after the last mouse move
@@ -83,12 +86,13 @@ class Session:
     def __init__(self, sketch: Any, view: Any, layout: Any = None) -> None:
         self.sketch = sketch
         self.overlay = Overlay(view, sketch.getGlobalPlacement())
-        self.card = VerdictCard(view, self.use_nearest, layout)
+        self.card = VerdictCard(view, self.use_nearest, self._enlarge, layout)
         self._placement = sketch.getGlobalPlacement()
         self.times: list[float] = []
         self.moves = 0
         self.sentence = ""
         self.near: DraggableCurve | None = None
+        self._times = 1.0
         self._placed, self._cost = NO_POLES, ""
         self._scale: float | None = None
         self._asks: StripSpec | None = None
@@ -133,10 +137,18 @@ class Session:
         """Replace the refused curve by the nearest possible curve, in one undo step."""
         if self.near is None:
             return
+        self._cost = self.near.cost
+        self._placed = self.near.curve.control_points
+        self._draw(self.near.curve, self.card.button.text())
+
+    def _enlarge(self) -> None:
+        larger = self._curve.transformed(np.diag([self._times, self._times, 1.0]))
+        self._draw(larger, self.card.larger.text())
+
+    def _draw(self, curve: PlaneCurve, step: str) -> None:
+        """Replace the curve of the sketch in one undo step."""
         document = self.sketch.Document
-        curve, self._cost = self.near.curve, self.near.cost
-        self._placed = curve.control_points
-        open_step(document, translate("Elastica", "Use the nearest curve"))
+        open_step(document, " ".join(step.split()))
         recorded(curve_into, self.sketch, curve)
         # solve in the same undo step, because solving moves points
         record_call(self.sketch, "solve")
@@ -231,6 +243,7 @@ class Session:
         self._answer.stop()
         self.near = None
         self.card.offer("")
+        self.card.offer("", button=self.card.larger)
         self.overlay.show_nearest()
         self._geometry = geometry
         try:
@@ -304,6 +317,12 @@ class Session:
         except FAILURES as error:
             self.overlay.show_width(())
             self._show_read(refusal_answer(explained(error)))
+            sheet, rest = self._asks.material, self._asks.natural_curvature
+            sharp = sharp_bend_message(sheet, *sharpest_bend(self._curve, rest))
+            if sharp is not None:
+                self._times = sharp.values["times"]
+                words = worded(note("Draw the curve {scale:g} times as large.", scale=self._times))
+                self.card.offer(words, button=self.card.larger)
             if preferences.get("LiveNearest"):
                 self._request()
             return
@@ -338,6 +357,8 @@ class Session:
         if self._asked.exception() is not None:
             return
         found = self._asked.result()
+        if found.near.met and found.deviation < AS_DRAWN_MM:
+            return  # the curve is not why the strip cannot be made
         message = note(found.near.status.value)
         if found.near.met:
             self.near = found

@@ -39,11 +39,17 @@ class VerdictCard(QtCore.QObject):
     """Headline over a view, and a box below the messages of the sketcher or in another layout.
 
     The headline ignores the mouse. It is in the corner where it hides the fewest points that should stay
-    visible. In the box, `button` calls `use_nearest`, and `keep` switches on that a dragged pole returns to the
-    last position where the strip can be made.
+    visible. In the box, `button` calls `use_nearest`, `larger` calls `enlarge`, and `keep` switches on that a
+    dragged pole returns to the last position where the strip can be made.
     """
 
-    def __init__(self, view: Any, use_nearest: Callable[[], None], layout: Any = None) -> None:
+    def __init__(
+        self,
+        view: Any,
+        use_nearest: Callable[[], None],
+        enlarge: Callable[[], None] | None = None,
+        layout: Any = None,
+    ) -> None:
         # without a drawing widget, use the area of all views
         self._view, self._over = view, surface_of(view) or Gui.getMainWindow().centralWidget()
         super().__init__(self._over)
@@ -54,20 +60,24 @@ class VerdictCard(QtCore.QObject):
         # names of sheets may look like HTML
         for label in (self.heading, self.verdict, self.words, self.why):
             label.setTextFormat(QtCore.Qt.PlainText)
-        self.button = QtWidgets.QPushButton(self.box)
+        self.button, self.larger = QtWidgets.QPushButton(self.box), QtWidgets.QPushButton(self.box)
         self.button.setObjectName("useNearest")
-        self.button.hide()
+        self.larger.setObjectName("drawLarger")
+        for button in (self.button, self.larger):
+            button.hide()
         self.keep = QtWidgets.QCheckBox(translate("Elastica", "Keep it possible"), self.box)
         self.keep.setObjectName("keepPossible")
         self.keep.setToolTip(
             translate("Elastica", "A dragged pole returns to the last position where the strip can be made")
         )
         self.button.clicked.connect(lambda *_: use_nearest())
+        if enlarge is not None:
+            self.larger.clicked.connect(lambda *_: enlarge())
         inside = QtWidgets.QVBoxLayout(self.box)
         inside.setContentsMargins(0, 0, 0, 0)
         inside.setSpacing(4)
         # buttons first, because the reason may be longer than the panel
-        for part in (self.verdict, self.button, self.keep, self.why, self.words, self.legend):
+        for part in (self.verdict, self.button, self.larger, self.keep, self.why, self.words, self.legend):
             inside.addWidget(part)
             # no keyboard focus, so that the sketcher receives the keys
             part.setFocusPolicy(QtCore.Qt.NoFocus)
@@ -119,12 +129,13 @@ class VerdictCard(QtCore.QObject):
             width = self._viewport.width() - 2 * SIDE_PX
             self.box.setFixedSize(width, self.box.layout().totalHeightForWidth(width))
 
-    def offer(self, words: str, *, usable: bool = True) -> None:
-        """Set the text of the button that calls `use_nearest`. An empty text hides the button."""
+    def offer(self, words: str, *, usable: bool = True, button: Any = None) -> None:
+        """Set the text of a button, by default the one that calls `use_nearest`. An empty text hides it."""
+        button = button or self.button
         with suppress(RuntimeError):
-            self.button.setText(fill(words, BUTTON_LETTERS))
-            self.button.setEnabled(usable)
-            self.button.setVisible(bool(words))
+            button.setText(fill(words, BUTTON_LETTERS))
+            button.setEnabled(usable)
+            button.setVisible(bool(words))
             self._fit()
 
     def allow_keep(self, why: str) -> None:
