@@ -429,8 +429,8 @@ def test_the_verdict_on_an_open_sketch(tmp_path):
     words, times, refused, larger = found["larger"]
     assert re.sub(r"\s+", " ", words) == f"Draw the curve {times:g} times as large."
     assert times > 1
-    assert "sheet needs at least" in refused
-    assert "sheet needs at least" not in larger
+    assert "a radius of at least" in refused
+    assert "a radius of at least" not in larger
     assert found["empty"] == ["no curve yet", False, False, "First draw a single curve."]
 
 
