@@ -210,7 +210,12 @@ def _impossible(check: EquilibriumCheck) -> Answer:
         return Answer(Verdict.BREAKS, note("undecided"), check.verdict)
     reason, places = check.reasons[0], lengths([*check.crossings, *check.touches])
     off = max((abs(distance) for _, distance in check.off_line), default=0.0)
-    if len(check.reasons) > 1:
+    if isinstance(reason, Refusal) and "times" in reason.values:
+        words = note(
+            "radius {radius}, but the sheet needs {least}",
+            radius=reason.values["radius"], least=reason.values["least"],
+        )  # fmt: skip
+    elif len(check.reasons) > 1:
         words = reason
     elif places:
         words = note("the inflection line meets the curve at {places}", places=places)
