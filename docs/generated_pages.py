@@ -183,7 +183,9 @@ def _described(name: str, thing: object) -> list[str]:
             if one.name not in ("self", "cls") and str(one.default) != "..."  # an option that is listed once
         ]
         signature = signature.replace(parameters=asked, return_annotation=signature.empty)
-        lines += ["```python", f"{name}{signature}", "```", ""]
+        # a default without a text of its own would be shown with its address
+        call = re.sub(r"<[\w.]*?(\w+) object at 0x\w+>", r"\1()", f"{name}{signature}")
+        lines += ["```python", call, "```", ""]
     return [*lines, *_markdown((inspect.getdoc(thing) or "").partition("\nOptions\n")[0])]
 
 

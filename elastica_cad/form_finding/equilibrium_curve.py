@@ -150,16 +150,10 @@ def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool)
     `ends` and `tangents` are True, False or a pair (start, end).
     """
     constraints: list[Constraint] = []
-    at_start, at_end = _both(ends)
-    if at_start or at_end:
-        there = EndPositions.of(curve)
-        constraints.append(EndPositions(there.start if at_start else None, there.end if at_end else None))
-    at_start, at_end = _both(tangents)
-    if at_start or at_end:
-        along = EndTangents.of(curve)
-        constraints.append(
-            EndTangents(along.start_normal if at_start else None, along.end_normal if at_end else None)
-        )
+    if any(held := _both(ends)):
+        constraints.append(EndPositions.of(curve, held))
+    if any(held := _both(tangents)):
+        constraints.append(EndTangents.of(curve, held))
     if require_flag(length, "length"):
         constraints.append(FixedLength(curve.length))
     return tuple(constraints)

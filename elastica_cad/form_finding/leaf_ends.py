@@ -104,15 +104,8 @@ def lay_leaves(
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
         # without ply ends the shape does not depend on the number of plies, so use the fewest
-        full_length = _Search(
-            relaxed,
-            section,
-            points,
-            np.zeros((0, 2), dtype=int),
-            np.zeros(0),
-            tuple(range(1, section.fewest + 1)),
-            tangents,
-        )
+        full = tuple(range(1, section.fewest + 1))
+        full_length = replace(search, steps=np.zeros((0, 2), dtype=int), places=np.zeros(0), first=full)
         best = full_length.answer() or best
     return best
 

@@ -197,7 +197,7 @@ def _lost(task: _Task, error: Exception) -> NearestRod:
 
 def _values_each(name: str, value: Any, count: int) -> list[Any]:
     # one value for each curve
-    if value is None or not isinstance(value, (list, tuple)):
+    if not isinstance(value, list | tuple):
         return [value] * count
     if len(value) != count:
         raise InputError(

@@ -367,7 +367,7 @@ def _largest_fraction(equations: _Equations, unknown: FloatArray, step: FloatArr
     """Return a fraction of a step, at most 1, for which all lengths remain positive."""
     lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
     shrinking = change < 0
-    return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min())) if shrinking.any() else 1.0
+    return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min(initial=np.inf)))
 
 
 ACCURACY = 1e-12

@@ -173,7 +173,7 @@ class NearestRod:
         >>> from elastica_cad.form_finding.nearest_search import nearest_rod
         >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3)
         >>> nearest_rod(arch, Limits(ratio=1.2)).advice[0]  # doctest: +ELLIPSIS
-        'To come nearer to the drawn curve, relax the ratio limit: a change of 10 % reduces the mean ... mm.'
+        'To come nearer to the drawn curve, relax the ratio limit: a change of 10 % reduces the largest ... mm.'
         """
         return tuple(_advise(self))
 

@@ -457,10 +457,22 @@ def _curve(
     off = np.concatenate([distances(Spline(curve), vertices), polyline_distances(line.points, on_curve)])
     worst = off.argmax()
     if off[worst] > tolerance:
+        cause = note(
+            "smoothing removed waves shorter than {wavelength:g}; use a shorter wavelength to stay closer to "
+            "the section"
+            if wavelength > 0 else
+            "the curve bent slightly to one side and back; these small bends were removed"
+            if curve is not fitted else
+            "no smooth curve is closer to the section; set a wavelength to remove shorter waves first",
+            wavelength=Length(wavelength),
+        )  # fmt: skip
         place = note(
             "{far} from the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
         )
-        notes.append(_deviation_message(line, place, tolerance, wavelength, changed=curve is not fitted))
+        notes.append(note(
+            "{name}: the curve is {off}, more than the tolerance of {tolerance:g}: {cause}",
+            name=line.name, off=place, tolerance=Length(tolerance), cause=cause,
+        ))  # fmt: skip
     return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), notes
 
 
@@ -508,24 +520,6 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
         angle=Angle(turned[worst]),
         place=_place(line, line.points[worst + 1]),
     )
-
-
-def _deviation_message(
-    line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool
-) -> str:
-    cause = note(
-        "smoothing removed waves shorter than {wavelength:g}; use a shorter wavelength to stay closer to "
-        "the section"
-        if wavelength > 0 else
-        "the curve bent slightly to one side and back; these small bends were removed"
-        if changed else
-        "no smooth curve is closer to the section; set a wavelength to remove shorter waves first",
-        wavelength=Length(wavelength),
-    )  # fmt: skip
-    return note(
-        "{name}: the curve is {off}, more than the tolerance of {tolerance:g}: {cause}",
-        name=line.name, off=place, tolerance=Length(tolerance), cause=cause,
-    )  # fmt: skip
 
 
 def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:

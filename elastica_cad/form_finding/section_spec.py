@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, ClassVar, Protocol
+from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -96,15 +96,9 @@ def planes_along(
         raise InputError("all points of the path are equal: give two different points or more")
     s = lengths_along(points)
     at = np.linspace(0.0, s[-1], count) if ends else s[-1] * (np.arange(count) + 0.5) / count
-    slopes = np.column_stack([_slopes(s, column) for column in points.T])
+    slopes = np.gradient(points, s, axis=0, edge_order=2 if len(points) > 2 else 1)
     places, ways = (points_at(at, s, rows) for rows in (points, slopes))
     return tuple(_across(p, _direction("path", w), up) for p, w in zip(places, ways, strict=True))
-
-
-def _slopes(s: FloatArray, values: FloatArray) -> FloatArray:
-    if s.size < 3:
-        return np.full(s.size, (values[-1] - values[0]) / s[-1])
-    return np.gradient(values, s, edge_order=2)
 
 
 def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
@@ -186,17 +180,6 @@ class Surface:
         return float(np.linalg.norm(np.ptp(self.points, axis=0)))
 
 
-class Cuts(Protocol):
-    """Interface of a family of planes."""
-
-    half: ClassVar[bool]
-    """True if only the part with x >= 0 of each section is used by default."""
-
-    def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
-        """Return the planes that cut a surface."""
-        ...
-
-
 @dataclass(frozen=True)
 class RadialCuts:
     """Half planes that end at an axis: at given angles, or `count` half planes at equal angles."""
@@ -264,7 +247,7 @@ class AlongPath:
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """Return the planes, which do not depend on the surface."""
-        return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
+        return planes_along(self.path, self.count, ends=self.ends, up=self.up)
 
 
 @dataclass(frozen=True, eq=False)
@@ -279,17 +262,8 @@ class GivenCuts:
         return self.planes
 
 
-class Split(Protocol):
-    """Interface of a method to split the line of a section."""
-
-    @property
-    def name(self) -> str:
-        """Name of the split in messages."""
-        ...
-
-    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
-        """Return the pieces of a line, or the whole line if the split has no effect."""
-        ...
+Cuts: TypeAlias = RadialCuts | ParallelCuts | AlongPath | GivenCuts
+"""Family of planes that cut a surface. With `half`, only the part with x >= 0 of a section is used by default."""
 
 
 @dataclass(frozen=True)
@@ -348,6 +322,10 @@ class CornerSplit:
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """Return the pieces of a line, split at corners."""
         return line.split_at_corners(self.corners)
+
+
+Split: TypeAlias = PlaneSplit | PointSplit | CornerSplit
+"""Method to split the line of a section."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ Every constraint of the paper, Appendix C, is an equation G(q) = 0 for the contr
 gamma(t). The notation <u, v> is the scalar product.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -35,11 +35,10 @@ class EndPositions:
     end: FloatArray | None
 
     @classmethod
-    def of(cls, curve: PlaneCurve) -> "EndPositions":
-        """Return the constraint that both ends of `curve` remain where they are."""
+    def of(cls, curve: PlaneCurve, held: Sequence[bool] = (True, True)) -> "EndPositions":
+        """Return the constraint that the held ends (start, end) of `curve` remain where they are."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
-        start, end = curve.evaluate(np.array(curve.domain))
-        return cls(start, end)
+        return cls(*_where(held, curve.evaluate(np.array(curve.domain))))
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the residuals and the matrix of the constraint.
@@ -60,11 +59,10 @@ class EndTangents:
     end_normal: FloatArray | None
 
     @classmethod
-    def of(cls, curve: PlaneCurve) -> "EndTangents":
-        """Return the constraint that both end tangents of `curve` remain the same."""
+    def of(cls, curve: PlaneCurve, held: Sequence[bool] = (True, True)) -> "EndTangents":
+        """Return the constraint that the tangents at the held ends (start, end) of `curve` remain the same."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
-        start, end = left_of(unit(curve.evaluate(np.array(curve.domain), 1)))
-        return cls(start, end)
+        return cls(*_where(held, left_of(unit(curve.evaluate(np.array(curve.domain), 1)))))
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the components of the velocities at the ends along the given normals."""
@@ -315,6 +313,10 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
 
 def _no_equations(curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
     return np.zeros(0), np.zeros((0, curve.control_points.size))
+
+
+def _where(held: Sequence[bool], rows: FloatArray) -> Iterator[FloatArray | None]:
+    return (row if is_held else None for row, is_held in zip(rows, held, strict=True))
 
 
 def _at_held_ends(

@@ -326,7 +326,6 @@ class Provenance:
             return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)
         stretch = float(np.linalg.norm(m[:2, :2] / m[2, 2], 2))
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
-        holes = ((*transform_points(m, (x, y)), stretch * size) for x, y, size in self.holes)
         measured = self.measured and replace(
             self.measured,
             points=transform_points(m, self.measured.points),
@@ -339,7 +338,7 @@ class Provenance:
             rounding=self.rounding * stretch,
             healed=self.healed * stretch,
             place=np.asarray(place),
-            holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
+            holes=tuple((*transform_points(m, (x, y)).tolist(), stretch * size) for x, y, size in self.holes),
             measured=measured,
             vertices=None if self.vertices is None else transform_points(m, self.vertices),
         )

@@ -487,7 +487,7 @@ class NurbsCurve:
                 f"control_points have the shape {points.shape}: give rows of x and y, shape (m, 2)"
             )
         vars(self).update(degree=degree, control_points=points, knots=finite("knots", self.knots))
-        check_knots(self.knots, len(points), degree)
+        check_knots(self.knots.tobytes(), len(points), degree)
         if self.weights is not None:
             weights = finite("weights", self.weights)
             if weights.shape != (len(points),):

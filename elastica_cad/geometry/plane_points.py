@@ -208,25 +208,16 @@ def thinned(points: FloatArray, step: int) -> FloatArray:
 
 
 def box_about(points: FloatArray) -> FloatArray:
-    """Return the least and largest coordinates (2, d) of points (n, d).
+    """Return the least and largest coordinates (..., 2, d) of points (n, d), or of each set of points (..., n, d).
 
     Examples
     --------
     >>> box_about(np.array([[0.0, 5.0], [2.0, 1.0]])).tolist()
     [[0.0, 1.0], [2.0, 5.0]]
-    """
-    return np.array([points.min(axis=0), points.max(axis=0)])
-
-
-def boxes_about(points: FloatArray) -> FloatArray:
-    """Return the least and largest coordinates (k, 2, d) of each of k sets of points (k, n, d).
-
-    Examples
-    --------
-    >>> boxes_about(np.array([[[0, 5], [2, 1]], [[1, 1], [0, 0]]])).tolist()
+    >>> box_about(np.array([[[0, 5], [2, 1]], [[1, 1], [0, 0]]])).tolist()
     [[[0, 1], [2, 5]], [[0, 0], [1, 1]]]
     """
-    return np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
+    return np.stack([points.min(axis=-2), points.max(axis=-2)], axis=-2)
 
 
 def box_around(boxes: FloatArray) -> FloatArray:
@@ -237,7 +228,7 @@ def box_around(boxes: FloatArray) -> FloatArray:
     >>> box_around(np.array([[[0, 1], [2, 3]], [[1, 0], [3, 2]]])).tolist()
     [[0, 0], [3, 3]]
     """
-    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+    return box_about(boxes.reshape(-1, boxes.shape[-1]))
 
 
 def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:

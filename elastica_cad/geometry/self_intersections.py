@@ -12,7 +12,7 @@ from elastica_cad.geometry.nurbs_curve import (
     hodograph,
     tabulate_tangent_angle,
 )
-from elastica_cad.geometry.plane_points import boxes_about, boxes_meet, dot, norm, project, unit
+from elastica_cad.geometry.plane_points import box_about, boxes_meet, dot, norm, project, unit
 from elastica_cad.geometry.polynomials import (
     binomials,
     divide_out_end_root,
@@ -56,7 +56,7 @@ def find_self_intersections(
     first, second = np.triu_indices(low.size)
     guesses: list[FloatArray] = []
     for _ in range(_MOST_HALVINGS):
-        box = boxes_about(project(part))
+        box = box_about(project(part))
         overlap = boxes_meet(box[first], box[second])
         first, second = first[overlap], second[overlap]
         joined = high[first] >= low[second]

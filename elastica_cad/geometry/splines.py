@@ -116,14 +116,12 @@ def whole_degree(degree: int) -> int:
     return int(degree)
 
 
-def check_knots(knots: FloatArray, count: int, degree: int) -> None:
-    """Refuse a knot vector that is not valid for a curve with `count` control points."""
-    _check_knots(knots.tobytes(), count, degree)
-
-
 @lru_cache(maxsize=64)
-def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Check knots that are passed as bytes, because arrays cannot be keys of the cache."""
+def check_knots(written: bytes, count: int, degree: int) -> None:
+    """Refuse a knot vector that is not valid for a curve with `count` control points.
+
+    The knots are passed as bytes, because arrays cannot be keys of the cache.
+    """
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")

@@ -1,6 +1,6 @@
 """Check whether a curve is realizable, and whether other fits of its measured points give the same result."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -34,6 +34,7 @@ from elastica_cad.mechanics.theorem1 import (
 )
 from elastica_cad.mechanics.unbent_ends import (
     MEANT_SHARE,
+    almost_unbent,
     find_free_tails,
     straightened,
     without_bend_at,
@@ -156,24 +157,27 @@ def _with_unbent_ends(
     if check.curve.is_closed or check.any_stiffness:
         return check
     excess = ExcessCurvature(check.curve, natural_curvature)
-    ends = np.array(
-        [*_ends_with_small_curvature(excess, check), *_free_ends_near_zeros(excess, check, supports)]
-    )
-    if not ends.size:
+    ends = _ends_with_small_curvature(excess, check)
+    for t, support in zip(check.curve.domain, supports.ends, strict=True):
+        # a bent end that is free to turn, but is meant to be unbent: a zero or a small curvature is near it
+        bent = t not in {z.t for z in check.zeros if z.kind == "end"}
+        if bent and not support.angle and almost_unbent(excess, np.array(t), check.length):
+            ends.append(t)
+    if not ends:
         return check
     try:
-        unbent = without_bend_at(excess, ends)
+        unbent = without_bend_at(excess, np.array(ends))
     except NotConvergedError:
         return check
     again = examine_curvature(unbent, supports, natural_curvature)
     moved = largest_move(check.curve, unbent)
-    near_zeros = _ends_near_zeros(check) - set(ends.tolist())
+    near_zeros = _ends_near_zeros(check) - set(ends)
     new_zeros = _ends_near_zeros(again) - near_zeros
     return check if moved > tolerance * check.length or new_zeros else replace(again, moved=moved)
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    return bool(list(_ends_with_small_curvature(ExcessCurvature(check.curve, natural_curvature), check)))
+    return bool(_ends_with_small_curvature(ExcessCurvature(check.curve, natural_curvature), check))
 
 
 def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
@@ -182,27 +186,14 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
     return float(norm(after.evaluate(t) - before.evaluate(t)).max())
 
 
-def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as unbent, but have a curvature above rounding errors."""
+def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> list[float]:
+    """Return the parameters of ends that count as unbent, but have a curvature above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
-    if ends.size:
-        yield from ends[np.abs(excess.at(ends)) > UNBENT_SHARE * float(np.abs(excess.survey).max())].tolist()
-
-
-def _free_ends_near_zeros(
-    excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports
-) -> Iterable[float]:
-    """Yield the parameters of bent ends that are free to turn, but are meant to be unbent.
-
-    A zero of the curvature is near such an end, or its curvature is small; see `MEANT_SHARE`.
-    """
-    unbent = {z.t for z in check.zeros if z.kind == "end"}
-    for t, support in zip(check.curve.domain, supports.ends, strict=True):
-        if support.angle or t in unbent:
-            continue
-        reach, noise = MEANT_SHARE * check.length, MEANT_SHARE * float(np.abs(excess.survey).max())
-        if np.abs(excess.at(t)) <= max(reach * np.abs(excess.slope_at(t)), noise):
-            yield t
+    if not ends.size:
+        return []
+    least = UNBENT_SHARE * float(np.abs(excess.survey).max())
+    bent: list[float] = ends[np.abs(excess.at(ends)) > least].tolist()
+    return bent
 
 
 def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
@@ -453,7 +444,7 @@ def _place_of_extreme_ratio(
     s = np.concatenate([nodes.s[clear], s_zero])
     arm = np.concatenate([(nodes.position[clear] - point) / kappa[clear, None], tangent / slope[:, None]])
     along = line.direction
-    turns = np.linspace(-spare, spare, 67)[1:-1] if spare > 0 else np.zeros(1)
+    turns = np.linspace(-spare, spare, 67)[1:-1]
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
     # stiffness at each place (rows) for each line through the zero (columns)
     K = np.abs(arm @ normals.T)
@@ -541,10 +532,8 @@ def project_inflections(
         needed += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, natural_curvature, curve.length)]
     needed.append(SmoothJoints.of(curve))
     # an end at an inflection is not held
-    place, turn = EndPositions.of(curve), EndTangents.of(curve)
-    start, end = (t not in ends for t in curve.domain)
-    places = EndPositions(place.start if start else None, place.end if end else None)
-    turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
+    bent = [t not in ends for t in curve.domain]
+    places, turns = EndPositions.of(curve, bent), EndTangents.of(curve, bent)
     # without a solution, give up the end tangents, then also the end positions
     for held in ((places, turns), (places,), ()):
         try:

@@ -515,10 +515,6 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     )  # fmt: skip
 
 
-def _is_near(s: float, places: Sequence[float], distance: float) -> bool:
-    return any(abs(s - place) <= distance for place in places)
-
-
 KINK_SHARE = 0.005
 """Largest distance of a rail, pin or tie from a kink that its force causes, as a fraction of the length."""
 
@@ -529,15 +525,15 @@ def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) 
     stations = [s for action in actions for s in action.s]
     jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
 
-    def expected(warning: str) -> bool:
-        if not is_about_kinks(warning):
-            return False
-        places = warning.values["places"]
-        return not any(_is_near(s, jumps, near) for s in places) and all(
-            _is_near(s, stations, near) for s in places
-        )
+    def is_expected(s: float) -> bool:
+        at_station, at_jump = (any(abs(s - at) <= near for at in places) for places in (stations, jumps))
+        return at_station and not at_jump
 
-    return tuple(warning for warning in check.cautions if not expected(warning))
+    return tuple(
+        warning
+        for warning in check.cautions
+        if not (is_about_kinks(warning) and all(map(is_expected, warning.values["places"])))
+    )
 
 
 def _slack_in(balance: BalancedStiffness) -> tuple[ElementForce, ...]:

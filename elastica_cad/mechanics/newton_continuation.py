@@ -372,7 +372,12 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     guess = first.state(state.angles + amplitude * shape, pressure * tangent[list(system.held)])
     corrected = correct(guess, turn=2.0, damping=1 / 64, most=40)
     if corrected is None:
-        raise _not_buckled(length, mode)
+        raise NotConvergedError(
+            "the straight rod of {length:.6g} could not be buckled in mode {mode}: use more "
+            "samples, or a lower mode",
+            length=Length(length),
+            mode=mode,
+        )
     return corrected[0]
 
 
@@ -380,12 +385,3 @@ def first_bulge(turns: FloatArray) -> float:
     """Return the signed size of the first bulge that turns (n,) of the edges cause, positive to the left."""
     bulge = np.cumsum(turns)
     return float(bulge[(np.abs(bulge) > 0.3 * np.abs(bulge).max()).argmax()])
-
-
-def _not_buckled(length: float, mode: int) -> NotConvergedError:
-    return NotConvergedError(
-        "the straight rod of {length:.6g} could not be buckled in mode {mode}: use more "
-        "samples, or a lower mode",
-        length=Length(length),
-        mode=mode,
-    )

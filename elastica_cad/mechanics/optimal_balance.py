@@ -134,8 +134,12 @@ def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -
 
     `bending_stiffness` is the least bending stiffness of the strip, N mm2.
     """
-    step = bending_stiffness / gravity.length**3
-    return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
+    if not weight.own:
+        return weight
+    beta, own = weight.beta, bending_stiffness / gravity.length**3
+    if isinstance(beta, Profile):
+        return replace(weight, beta=replace(beta, coefficients=beta.coefficients + own), own=False)
+    return replace(weight, beta=beta + own, own=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -340,12 +344,6 @@ def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float
         if abs(factor / before - 1) < FIT_SHARE:
             break
     return factor
-
-
-def _raised(value: float | Profile, step: float) -> float | Profile:
-    if isinstance(value, Profile):
-        return Profile(value.knots, value.coefficients + step, value.degree)
-    return value + step
 
 
 MOST_ROUNDS = 40

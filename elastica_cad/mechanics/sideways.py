@@ -508,11 +508,7 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
             raise InputError(
                 f"{name} cannot be used: give a finite number, an array of numbers or a Profile, in mm"
             )
-        sizes = (
-            np.interp(s, np.linspace(0, s[-1], values.size), values)
-            if values.size > 1
-            else np.full(s.size, values[0])
-        )
+        sizes = np.interp(s, np.linspace(0, s[-1], values.size), values)
     if not (np.isfinite(sizes).all() and (sizes > 0).all()):
         raise InputError(f"{name} is not positive everywhere: give numbers above 0, in mm")
     return sizes

@@ -164,9 +164,13 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
             "reverse the rod."
         )
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
-    count = _first_unstable_piece(rod)
-    if count is None:
+    if diagonal.size <= len(rows) or not rod.unstable_modes:
         return None
+    # number of edges of the shortest unstable piece that begins at the start
+    count = bisect_left(
+        range(diagonal.size), True,
+        key=lambda k: k > len(rows) and bool(constrained_inertia(diagonal[:k], off[: k - 1], rows[:, :k])),
+    )  # fmt: skip
     ends = lengths.cumsum()
     # entry k - 1 is the position of the clamp of a piece with k edges
     place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])
@@ -180,18 +184,6 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
         1.0 if not np.isfinite(lower) or lower <= upper else float(np.clip(lower / (lower - upper), 0, 1))
     )
     return float(place[count - 2] + fraction * (place[count - 1] - place[count - 2]))
-
-
-def _first_unstable_piece(rod: DiscreteRod) -> int | None:
-    """Return the number of edges of the shortest unstable piece that begins at the start, or None."""
-    (diagonal, off), rows = rod.hessian, rod.constraint_rows
-
-    def is_unstable(k: int) -> bool:
-        return k > len(rows) and bool(constrained_inertia(diagonal[:k], off[: k - 1], rows[:, :k]))
-
-    if diagonal.size <= len(rows) or not rod.unstable_modes:
-        return None
-    return bisect_left(range(diagonal.size), True, key=is_unstable)
 
 
 def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = False) -> FloatArray:

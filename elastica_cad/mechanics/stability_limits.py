@@ -156,10 +156,16 @@ def _values(system: RodSystem, entry: Mapping[str, Any], load: float) -> dict[st
 
 
 def _loaded(rod: Rod, entry: Mapping[str, Any]) -> Rod:
-    """Return the rod with the weight of an entry of the path."""
+    """Return the rod with the weight of an entry of the path, times its load factor."""
     if "gravity" in entry:
         rod = replace(rod, gravity=entry["gravity"])
-    return _with_scaled_weight(rod, entry["load"]) if "load" in entry else rod
+    factor = entry.get("load", 1.0)
+    if rod.gravity is None or factor == 1.0:
+        return rod
+    if rod.weight is None:
+        return replace(rod, gravity=rod.gravity.scaled(factor) if factor > 0 else None)
+    masses = tuple(PointMass(point.at, factor * point.mass) for point in rod.weight.masses)
+    return replace(rod, weight=replace(rod.weight.scaled(factor, factor), masses=masses))
 
 
 def _system(rod: Rod, entry: Mapping[str, Any]) -> RodSystem:
@@ -180,17 +186,14 @@ def _entries(path: Any) -> list[dict[str, Any]]:
         return [_entry_as_keywords(entry) for entry in path]
     values = numbers(path, "the path of loads")
     if values.ndim == 1 and values.size:
-        return [_entry_as_keywords(value) for value in values]
+        return [{"load": _load_factor(value)} for value in values.tolist()]
     return as_steps(values)
 
 
-def _entry_as_keywords(step: Any) -> dict[str, Any]:
-    if isinstance(step, Mapping):
-        load = {"load": _load_factor(step["load"])} if "load" in step else {}
-        rest = {name: value for name, value in step.items() if name != "load"}
-        return {**as_steps([rest])[0], **load} if rest else load
-    value = numbers(step, "a step of the path")
-    return {"load": _load_factor(float(value))} if value.ndim == 0 else as_steps(value[None])[0]
+def _entry_as_keywords(step: Mapping[str, Any]) -> dict[str, Any]:
+    load = {"load": _load_factor(step["load"])} if "load" in step else {}
+    rest = {name: value for name, value in step.items() if name != "load"}
+    return {**as_steps([rest])[0], **load} if rest else load
 
 
 def _load_factor(value: Any) -> float:
@@ -205,12 +208,3 @@ def _require_load(rod: Rod) -> None:
         raise InputError(
             "the rod has no load that the path could scale: add a weight, or a force or moment at an end"
         )
-
-
-def _with_scaled_weight(rod: Rod, factor: float) -> Rod:
-    if rod.gravity is None or factor == 1.0:
-        return rod
-    if rod.weight is None:
-        return replace(rod, gravity=rod.gravity.scaled(factor) if factor > 0 else None)
-    masses = tuple(PointMass(point.at, factor * point.mass) for point in rod.weight.masses)
-    return replace(rod, weight=replace(rod.weight.scaled(factor, factor), masses=masses))

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import Length, NotConvergedError, Refusal, note, rounded_down, rounded_up
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.plane_points import homogeneous, norm, project
@@ -35,6 +35,16 @@ The knot keeps changes of the end local.
 
 LOCAL_DEGREE = 4
 """Least degree of a curve with inserted knots, at which the slope of the curvature must be continuous."""
+
+
+def almost_unbent(excess: ExcessCurvature, t: FloatArray, length: float) -> BoolArray:
+    """Return flags (k,) of the parameters t (k,) at which a curve is meant to be unbent.
+
+    A zero of the curvature is near, or the curvature is small; see `MEANT_SHARE`. `length` is that of the whole
+    curve, mm.
+    """
+    reach, noise = MEANT_SHARE * length, MEANT_SHARE * float(np.abs(excess.survey).max())
+    return np.asarray(np.abs(excess.at(t)) <= np.maximum(reach * np.abs(excess.slope_at(t)), noise))
 
 
 def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
@@ -132,9 +142,7 @@ def straightened(
         low, high = (low, tail.t) if tail.end else (tail.t, high)
     bent = drawn.trimmed(low, high)
     excess, joints = ExcessCurvature(bent, 0.0), np.array([bent.domain[tail.end] for tail in tails])
-    reach = MEANT_SHARE * drawn.length
-    noise = MEANT_SHARE * float(np.abs(bent.survey.curvature).max())
-    almost = joints[np.abs(excess.at(joints)) <= np.maximum(reach * np.abs(excess.slope_at(joints)), noise)]
+    almost = joints[almost_unbent(excess, joints, drawn.length)]
     t = np.linspace(low, high, 1001)
     moved = 0.0
     for start in (bent, _with_knots_near(bent, almost)) if almost.size else ():

@@ -265,8 +265,16 @@ def is_unmarked(model: Model) -> bool:
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
     """Return, for each tab name, the places that hold the tab, each with a short text."""
     places = defaultdict[str, dict[str, str]](dict)
-    for tab, place, short in _held_places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
-        places[tab][place] = short
+    for holder in single_holders([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
+        if isinstance(holder, BasePlate):
+            for slot in holder.slots:
+                place = note("slot {slot} of {holder}", slot=slot.name, holder=holder.name)
+                places[slot.name][place] = holder.name
+            for tab in holder.seated if isinstance(holder, Ring) else ():
+                on_ring = note("on {ring}", ring=holder.name)
+                places[tab][on_ring] = on_ring
+        elif isinstance(holder, EndFixture):
+            places[holder.tab.name][f"block {holder.engrave or holder.tab.name}"] = note("its block")
     return places
 
 
@@ -336,18 +344,3 @@ def side_in_space(vector: FloatArray) -> str:
 def _nearest_axis(vector: FloatArray) -> tuple[str, str]:
     along = int(np.abs(vector).argmax())
     return "xyz"[along], "-" if vector[along] < 0 else "+"
-
-
-def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
-    """Yield the name of each held tab, its place in the holder, and a short text for the place."""
-    for holder in single_holders(holders):
-        if isinstance(holder, BasePlate):
-            yield from (
-                (slot.name, note("slot {slot} of {holder}", slot=slot.name, holder=holder.name), holder.name)
-                for slot in holder.slots
-            )
-            if isinstance(holder, Ring):
-                on_ring = note("on {ring}", ring=holder.name)
-                yield from ((name, on_ring, on_ring) for name in holder.seated)
-        elif isinstance(holder, EndFixture):
-            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}", note("its block")

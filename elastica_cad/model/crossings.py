@@ -245,13 +245,13 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     # parameters (n,) of the splines of a and b, from 0 to 1
     x, y = np.array(crossings, dtype=float).reshape(-1, 2).T
     s_a = a.curve.arc_length(first.parameter(x)) * a.length / a.curve.length
-    s_b = b.curve.arc_length(Spline(b.curve).parameter(y)) * b.length / b.curve.length
+    s_b = b.curve.arc_length(second.parameter(y)) * b.length / b.curve.length
     return [Ruling((a, b), float(s), float(r), offset, sign, reach) for s, r in zip(s_a, s_b, strict=True)]
 
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of the curves of two strips along the normal of both rulings, and common points of the strips."""
+    """Heights of the curves of two strips along the normal n of both rulings."""
 
     a: RuledStrip
     b: RuledStrip
@@ -270,15 +270,6 @@ class _Heights:
             (strip.frame.axes[:2] @ up, float((strip.frame.origin - origin) @ up))
             for strip in (self.a, self.b)
         )
-
-    def common(
-        self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
-    ) -> IntersectionPoints:
-        """Return the common points of both strips at arc lengths where their curves have equal heights."""
-        # gap = v z_a - u z_b
-        gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
-        v, u = np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n) @ gap.T
-        return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
 
 @dataclass(frozen=True, eq=False)
@@ -305,14 +296,16 @@ class Branch:
         tolerance = 1e-13 * max(h.a.length, h.b.length)
         for _ in range(30):
             (p, f), (r, g) = h.above(h.a, on_curves[0]), h.above(h.b, on_curves[1])
-            gap = p - r
-            if np.abs(gap).max(initial=0.0) <= tolerance:
+            if np.abs(p - r).max(initial=0.0) <= tolerance:
                 break
             # the divisor is limited, because both slopes are 0 where the surfaces touch
-            step = gap / np.maximum(f**2 + g**2, 1e-14)
+            step = (p - r) / np.maximum(f**2 + g**2, 1e-14)
             s_a, s_b = (s_a - step * f).clip(0.0, h.a.length), (s_b + step * g).clip(0.0, h.b.length)
             on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
-        return h.common(s_a, s_b, on_curves)
+        # gap = v z_a - u z_b
+        gap = h.b.frame.point(on_curves[1][0]) - h.a.frame.point(on_curves[0][0])
+        v, u = np.cross([h.b.axis, h.a.axis], h.n) / (h.n @ h.n) @ gap.T
+        return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
@@ -438,15 +431,16 @@ def _joined(
             key = ends[i][0 if step == 1 else 1]
         return chain
 
-    chains = []
+    chains: list[_Course] = []
     while unused:
         i = min(unused)
         unused.discard(i)
         before = pieces_beyond(i, ends[i][0])
         after = [(s_a[::-1], s_b[::-1]) for s_a, s_b in reversed(pieces_beyond(i, ends[i][1]))]
         rows = [*before, pieces[i], *after]
-        chains.append(tuple(np.concatenate([rows[0][c], *(row[c][1:] for row in rows[1:])]) for c in (0, 1)))
-    return [(s_a, s_b) for s_a, s_b in chains]
+        s_a, s_b = (np.concatenate([rows[0][c], *(row[c][1:] for row in rows[1:])]) for c in (0, 1))
+        chains.append((s_a, s_b))
+    return chains
 
 
 LENGTH_POINTS = 33

@@ -103,6 +103,11 @@ class PlacedTab:
         """Middle (3,), mm, of the outer end of the tab."""
         return self.frame.point((self.length, 0.0, 0.0))
 
+    @cached_property
+    def profile(self) -> Frame:
+        """Frame of the side view: x points out of the strip, y away from its upper side, and z across the strip."""
+        return Frame(self.frame.origin, self.frame.x_axis, self.frame.z_axis)
+
     @property
     def edges(self) -> FloatArray:
         """Starting points (4, 3) of the four long edges of the tab, which run along x of the frame."""
@@ -325,11 +330,6 @@ class EndFixture(EqualByValue):
         return Frame(tab.point((back, 0.0, 0.0)), tab.z_axis, tab.y_axis)
 
     @cached_property
-    def _profile(self) -> Frame:
-        """Frame of the side view: x points out of the strip, y away from its upper side, and z across the strip."""
-        return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
-
-    @cached_property
     def _block_corners(self) -> FloatArray:
         half = self.tab.thickness / 2 + self.clearance + self.wall
         back = self.tab.length + self.clearance + self.wall
@@ -337,10 +337,10 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _floor_directions(self) -> tuple[FloatArray, FloatArray, float]:
-        """Unit vectors (2,) normal to the floor and along the floor, and height of the floor, in `_profile`."""
+        """Unit vectors (2,) normal to the floor and along the floor, and height of the floor, in the side view."""
         n = self.ground.z_axis
-        up = unit((self._profile.axes @ n)[:2])
-        return up, -left_of(up), float((self.ground.origin - self._profile.origin) @ n)
+        up = unit((self.tab.profile.axes @ n)[:2])
+        return up, -left_of(up), float((self.ground.origin - self.tab.profile.origin) @ n)
 
     @property
     def lowest(self) -> float:
@@ -351,7 +351,7 @@ class EndFixture(EqualByValue):
     @property
     def lowest_height(self) -> float:
         """Least z in space, mm, of the block around the pocket."""
-        return float(self._profile.point(self._block_corners)[:, 2].min())
+        return float(self.tab.profile.point(self._block_corners)[:, 2].min())
 
     @property
     def seat(self) -> TabSeat:
@@ -384,7 +384,7 @@ class EndFixture(EqualByValue):
 
     def _prism(self, corners: FloatArray, across: float) -> FlatSolid:
         """Return the prism with these anticlockwise corners in the side view."""
-        return FlatSolid(Path.polygon(corners), (), across, self._profile.shifted(z=-across / 2))
+        return FlatSolid(Path.polygon(corners), (), across, self.tab.profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
         """Return the space that the tab needs in the block, leaning and enlarged by the clearance."""
@@ -417,10 +417,10 @@ class EndFixture(EqualByValue):
 
     def _screw_hole(self, along: float) -> FlatSolid:
         up, level, height = self._floor_directions
-        start = self._profile.point(along * level + (height - CUT_EXTENSION_MM) * up)
-        across = self._profile.z_axis
+        start = self.tab.profile.point(along * level + (height - CUT_EXTENSION_MM) * up)
+        across = self.tab.profile.z_axis
         # the z axis of this frame is `up`
-        frame = Frame(start, np.cross(across, self._profile.direction(up)), across)
+        frame = Frame(start, np.cross(across, self.tab.profile.direction(up)), across)
         return FlatSolid(
             Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * CUT_EXTENSION_MM, frame
         )

@@ -391,9 +391,8 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # `profile` has x along the tab and y away from the tab's upper side; the plate's back has the points
-        # p with <n, p> = low
-        profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
+        # in the side view of the tab, the plate's back has the points p with <n, p> = low
+        profile = tab.profile
         back = plate.frame.shifted(z=-plate.sheet.thickness)
         n = (profile.axes @ back.z_axis)[:2]
         low = float((back.origin - profile.origin) @ back.z_axis)

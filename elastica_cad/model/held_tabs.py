@@ -140,7 +140,7 @@ NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """Return a sentence for each holder in which tabs can shift or rotate."""
     messages = []
-    for name, held in seats_by_holder(require_placed(placed), require_holders(holders)).items():
+    for name, held in seats_by_holder(require_placed(placed), holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
         shift = max(seat.room for _, _, seat in held)
         if shift >= NO_PLAY_MM or turn >= NO_PLAY_DEGREES:

@@ -419,11 +419,11 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
                 known[alike] = compensate_widths(cut, largest=largest[k])
             strips[k] = _widened(replace(drawn, correction=known[alike].correction), wider[k])
         locked = model.with_strips(strips).interlock(**options)
-        lost = _lost_joints(first, locked)
-        rounds = ROUNDS if lost else rounds - 1
+        ratios = _width_ratios_at_lost_joints(first, model, locked)
+        rounds = ROUNDS if ratios else rounds - 1
         if not rounds:
             break
-        for k, narrower in _width_ratios(lost, model, locked).items():
+        for k, narrower in ratios.items():
             # a much wider strip would have wider shoulders beside its tabs
             if narrower > 1.1:
                 largest[k] *= 0.7
@@ -448,23 +448,19 @@ def _widened(strip: Strip, scale: float) -> Strip:
     return replace(strip, max_width=scale * strip.max_width)
 
 
-def _lost_joints(before: Model, after: Model) -> list[tuple[int, float]]:
-    """Return the index of the strip and the arc length, mm, of each lost joint.
+def _width_ratios_at_lost_joints(first: Model, before: Model, after: Model) -> dict[int, float]:
+    """Return how much narrower (a factor of at least 1) each strip became at a joint of `first` that it lost.
 
     If two strips have several joints, each remaining joint is matched with the nearest previous joint.
     """
-    unmatched = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
+    lost = list(first.joints)
     for joint in after.joints:
-        same = [previous for previous in unmatched if previous[0] == joint.members]
+        same = [previous for previous in lost if previous.members == joint.members]
         if same:
-            unmatched.remove(min(same, key=lambda previous: abs(previous[1][0] - joint.slots[0].at)))
-    return [place for members, places in unmatched for place in zip(members, places, strict=True)]
-
-
-def _width_ratios(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
-    # by the index of a strip, how much narrower (a factor of at least 1) it became at a lost joint
-    scales: dict[int, float] = {}
-    for k, at in lost:
-        narrower = float(before.strips[k].width(at) / after.strips[k].width(at))
-        scales[k] = max(1.0, narrower, scales.get(k, 1.0))
-    return scales
+            lost.remove(min(same, key=lambda previous: abs(previous.slots[0].at - joint.slots[0].at)))
+    ratios: dict[int, float] = {}
+    for joint in lost:
+        for k, slot in zip(joint.members, joint.slots, strict=True):
+            narrower = float(before.strips[k].width(slot.at) / after.strips[k].width(slot.at))
+            ratios[k] = max(1.0, narrower, ratios.get(k, 1.0))
+    return ratios

@@ -30,7 +30,6 @@ from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.plane_points import (
     angle_of,
     box_about,
-    boxes_about,
     boxes_meet,
     distinct,
     left_of,
@@ -672,7 +671,7 @@ def room_of_tab(tab: PlacedTab, ground: Frame, thickness: float) -> tuple[FloatA
 def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> None:
     """Refuse slots that overlap. `in_ring` is True for the strips of a surface of revolution."""
     corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
-    boxes = boxes_about(corners)
+    boxes = box_about(corners)
     for i, j in np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1)).tolist():
         if _overlap(corners[i], corners[j]):
             raise InputError(

@@ -68,14 +68,11 @@ def spacer_name(first: BasePlate) -> str:
 def pairs_of_plates(plates: Sequence[BasePlate]) -> Iterator[tuple[BasePlate, BasePlate, float]]:
     """Yield the two plates that hold the same tabs, the plate nearer to the strips first, and their gap, mm."""
     for i, first in enumerate(plates):
+        keys = {tab.key for tab in tabs_of(first)}
         for second in plates[i + 1 :]:
             distance = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
-            if _keys_of(first) & _keys_of(second) and distance > first.sheet.thickness:
+            if not keys.isdisjoint(tab.key for tab in tabs_of(second)) and distance > first.sheet.thickness:
                 yield first, second, distance - first.sheet.thickness
-
-
-def _keys_of(plate: BasePlate) -> set[object]:
-    return {tab.key for tab in tabs_of(plate)}
 
 
 def add_spacers(

@@ -1018,8 +1018,8 @@ class Flexure:
 def _overhang(h: float, r: float) -> float:
     # `give` is the length of a part of thickness h that is as compliant as a fillet of radius r
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
-    wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
-    give = float(w @ (h / wide) ** 3) if r else 0.0
+    wide = h + 2 * (r - np.sqrt(r**2 - x**2))
+    give = float(w @ (h / wide) ** 3)
     root = h + 2 * r
     # a strip that ends in an elastic half-plane seems to be longer by 0.44 of its thickness (O'Donnell, J. Appl.
     # Mech. 27, 1960)

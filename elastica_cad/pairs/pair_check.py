@@ -118,7 +118,16 @@ def examine_pair(
     unmet = tuple(z for z in zeros if not _can_be_met(first, z))
     check = replace(check, zeros=zeros, flats=flats, unmet=unmet)
     if flats or unmet:
-        return _refused(check, *_flat_messages(flats), *_unmet_messages(unmet)), None, None
+        same = [
+            note(
+                "Both curves have the same curvature from {start} to {end}, so the stiffness beside this piece "
+                "would have to be 0. Draw one of the curves with a little more curvature there. Two curves with "
+                "the same curvature everywhere are also possible.",
+                start=Length(start), end=Length(end),
+            )
+            for start, end in flats
+        ]  # fmt: skip
+        return _refused(check, *same, *_unmet_messages(unmet)), None, None
     paired = PairedPanels.of(check, difference)
     if paired.family.freedom == 0:
         return _refused(replace(check, unmet=paired.beyond), _too_many_message(check, paired)), None, None
@@ -243,17 +252,6 @@ def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
 
 def _refused(check: PairCheck, *reasons: str) -> PairCheck:
     return replace(check, realizable=False, reasons=reasons)
-
-
-def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
-    for start, end in flats:
-        yield note(
-            "Both curves have the same curvature from {start} to {end}, so the stiffness beside this piece "
-            "would have to be 0. Draw one of the curves with a little more curvature there. Two curves with the "
-            "same curvature everywhere are also possible.",
-            start=Length(start),
-            end=Length(end),
-        )
 
 
 def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:

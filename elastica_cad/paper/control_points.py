@@ -140,7 +140,8 @@ class CurveChanges:
         return np.asarray(to_moves @ vt[rank:].T)
 
     @property
-    def _moves(self) -> FloatArray:
+    def moves(self) -> FloatArray:
+        """Moves (2 m, r) of the control points, in the rows of `basis`."""
         return self.basis[:-3]
 
     @cached_property
@@ -156,7 +157,7 @@ class CurveChanges:
         position = curve.evaluate(self._t)
         across = directed_rows(curve.basis(self._t), np.broadcast_to(b, position.shape))
         moment = np.column_stack([across, np.ones(len(position)), position]) @ self.basis
-        kappa = curvature_rows(curve, self._t) @ self._moves
+        kappa = curvature_rows(curve, self._t) @ self.moves
         K, M = (function.nodal.ravel() for function in (state.balance.stiffness, state.balance.moment))
         C, M = state.scale / K, M / state.scale
         change = (kappa - C[:, None] * moment) / M[:, None]
@@ -170,7 +171,7 @@ class CurveChanges:
         curve: to the left ends of the N panels (N, r), and to the end of the curve (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
-        rate = directed_rows(curve.basis(self._t, 1), self._tangent) @ self._moves
+        rate = directed_rows(curve.basis(self._t, 1), self._tangent) @ self.moves
         rate = rate.reshape(*panels.t.shape, -1) * (np.diff(panels.edges) / 2)[:, None, None]
         within = np.einsum("ij,njr->nir", LEFT, rate)
         whole = np.cumsum(np.einsum("j,njr->nr", WEIGHTS, rate), axis=0)
@@ -195,7 +196,7 @@ class CurveChanges:
         half = (np.diff(panels.edges) / 2)[panel]
         K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
         K = -(rod.stiffness**2)[:, None] * self.compliance.at(panel, x) + K_slope[:, None] * slide
-        moved = np.stack([curve.basis(nodes.t) @ self._moves[k::2] for k in (0, 1)], axis=1)
+        moved = np.stack([curve.basis(nodes.t) @ self.moves[k::2] for k in (0, 1)], axis=1)
         moved += d1[:, :, None] * slide[:, None, :]
         edge = np.diff(nodes.position, axis=0)
         turning = left_of(edge) / (edge**2).sum(axis=1)[:, None]
@@ -277,35 +278,13 @@ class RouteStep:
     distance: float
 
 
-@dataclass(frozen=True, eq=False)
-class Route:
-    """Result of a search: the nearest curve within the bounds, or the curve with the least violation.
-
-    Attributes
-    ----------
-    state : EquilibriumCurve
-        Curve with its equilibrium.
-    within : bool
-        True if the curve is within the bounds.
-    settled : bool
-        True if the search converged within the allowed number of steps.
-    history : tuple of RouteStep
-        Start curve and all accepted curves.
-    iterations : int
-        Number of attempted steps.
-    """
-
-    state: EquilibriumCurve
-    within: bool
-    settled: bool
-    history: tuple[RouteStep, ...]
-    iterations: int
-
-
 def _move_within(
     curve: PlaneCurve, bounds: Bounds, constraints: Sequence[Constraint], *, max_steps: int
-) -> Route:
+) -> tuple[EquilibriumCurve, bool, int, tuple[RouteStep, ...]]:
     """Return the curve near `curve` whose stiffness ratio and stability margin are within bounds.
+
+    If no such curve is found, return the curve with the least violation. The other results are True if the search
+    converged within the allowed steps, the number of attempted steps, and the start with all accepted curves.
 
     Raises
     ------
@@ -346,7 +325,7 @@ def _move_within(
         radius = min(radius, size) / 3
         if radius < _SMALLEST_RADIUS:
             settled = True
-    return Route(state, bounds.broken(state) == 0, settled, tuple(history), iterations)
+    return state, settled, iterations, tuple(history)
 
 
 def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> RouteStep:
@@ -384,7 +363,7 @@ def _step(
     K, and the slacks of the two bounds.
     """
     length = changes.state.curve.length
-    J = changes.distance_rows @ changes.basis[:-3]
+    J = changes.distance_rows @ changes.moves
     r = J.shape[1]
     # compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)
     C, dC = 1 / changes.state.stiffness, length * changes.compliance.at(*changes.state.places)
@@ -421,7 +400,7 @@ def _step(
             break
         conditions = np.concatenate([conditions, soft[low], stiff[high]])
     promised = 0.5 * float(((J @ u + offsets) ** 2).sum()) + _PENALTY * float(solution.x[r + 1 :].sum())
-    return (changes.basis[:-3] @ u).reshape(-1, 2) * length, float(np.abs(u).max()), promised
+    return (changes.moves @ u).reshape(-1, 2) * length, float(np.abs(u).max()), promised
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
@@ -607,15 +586,14 @@ def optimize_ratio(
     require_ratio(target, "target ratio")
     require_curve(curve)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
-    route = _move_within(curve, Bounds(float(target)), constraints, max_steps=max_steps)
-    if route.within:
+    bounds = Bounds(float(target))
+    state, settled, iterations, history = _move_within(curve, bounds, constraints, max_steps=max_steps)
+    if bounds.broken(state) == 0:
         status = RatioStatus.REACHED
     else:
-        status = RatioStatus.UNREACHABLE if route.settled else RatioStatus.OUT_OF_STEPS
-    best = route.state.curve
-    return OptimizedRatio(
-        best, route.state.ratio, largest_deviation(curve, best), status, route.iterations, route.history
-    )
+        status = RatioStatus.UNREACHABLE if settled else RatioStatus.OUT_OF_STEPS
+    deviation = largest_deviation(curve, state.curve)
+    return OptimizedRatio(state.curve, state.ratio, deviation, status, iterations, history)
 
 
 class RecoveryStatus(Enum):
@@ -722,19 +700,15 @@ def recover_stability(
         )
     require_curve(curve)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
-    route = _move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)
-    state = route.state
-    return RecoveredStability(
-        state.curve, state.margin, state.ratio, largest_deviation(curve, state.curve), _status(route, R_max),
-        route.iterations, route.history,
-    )  # fmt: skip
-
-
-def _status(route: Route, R_max: float) -> RecoveryStatus:
-    if route.within:
-        return RecoveryStatus.STABLE
-    if not route.settled:
-        return RecoveryStatus.OUT_OF_STEPS
-    if route.state.ratio > R_max:
-        return RecoveryStatus.TOO_STIFF
-    return RecoveryStatus.BARELY_STABLE if route.state.margin > 0 else RecoveryStatus.UNSTABLE
+    bounds = Bounds(float(R_max), float(margin))
+    state, settled, iterations, history = _move_within(curve, bounds, constraints, max_steps=max_steps)
+    if bounds.broken(state) == 0:
+        status = RecoveryStatus.STABLE
+    elif not settled:
+        status = RecoveryStatus.OUT_OF_STEPS
+    elif state.ratio > R_max:
+        status = RecoveryStatus.TOO_STIFF
+    else:
+        status = RecoveryStatus.BARELY_STABLE if state.margin > 0 else RecoveryStatus.UNSTABLE
+    deviation = largest_deviation(curve, state.curve)
+    return RecoveredStability(state.curve, state.margin, state.ratio, deviation, status, iterations, history)

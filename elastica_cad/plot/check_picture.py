@@ -39,7 +39,7 @@ def check(check: EquilibriumCheck) -> Figure:
     """
     require_record(check, EquilibriumCheck, "what is drawn", "what check_equilibrium answers")
     curve = check.curve
-    nodes = curve.sample(601)
+    nodes = curve.survey
     tips, extent = comb_tips(nodes), float(np.ptp(nodes.position, axis=0).max())
     box = box_about(np.concatenate([nodes.position, tips]))
     size = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)

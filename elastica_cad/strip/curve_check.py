@@ -80,7 +80,7 @@ class CurveCheck(EquilibriumCheck):
         >>> points = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
         >>> for suggestion in check_equilibrium(PlaneCurve.spline(points, degree=5)).cures:
         ...     print(suggestion.change.field, round(suggestion.deviation, 1))
-        nearest 0.3
+        nearest 0.2
         point 9.0
         """
         from elastica_cad.strip.suggestions import suggest

@@ -205,8 +205,7 @@ def test_the_nearest_curve_can_be_made():
     report = answer({"do": "strip", "design": design(OFF_LINE, limits=page_words()["nearest"])})
     assert "refused" not in report
     assert report["deviation"] > 0
-    (marked,) = (row for row in report["rows"] if row["stops"])  # its margin is the least that is permitted
-    assert marked["text"].startswith("close to snapping: the strip snaps into another shape if the clamp")
+    assert not any(row["stops"] for row in report["rows"])
 
 
 def test_sheets_that_can_do_it_are_reported_apart():

@@ -67,7 +67,7 @@ def test_a_margin_that_is_kept_is_that_of_what_a_small_bend_more_takes(curve, sh
     assert wide.max() == pytest.approx(40.0, rel=0.02)
     assert wide.max() < 40.0 * (1 + 1e-5)
     own = own_margin(near.rod, wide, sheet)
-    assert own == pytest.approx(margin, abs=0.2)  # of 201 nodes
+    assert own == pytest.approx(margin, abs=0.3)  # of 201 nodes
     assert stability(near.rod).margin == pytest.approx(margin, abs=0.01)
 
 

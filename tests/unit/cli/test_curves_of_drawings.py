@@ -164,7 +164,7 @@ def test_a_curve_is_split_into_strips_that_say_where_they_meet(curve, tmp_path):
     rows = re.findall(r"^(Rib-\d) .*; joined at (J1|J\d and J\d|J\d)$", text, re.M)
     assert [name for name, _ in rows] == [f"Rib-{k}" for k in range(1, fewest + 1)]
     assert (
-        "between has no effect beside split"
+        "--rail has no effect beside split"
         in run("strip", path, "--split", *options, "--pin", 40, code=2).stderr
     )
     assert "at least" in run("strip", path, "--split", 1, *options, code=2).stderr

@@ -83,7 +83,7 @@ def test_a_steel_strip_is_not_narrower_than_the_workshop_can_cut(poles, width, m
     """The widths that correct anticlastic bending had been up to 1 % below the 3 mm of the sheet."""
     curve = PlaneCurve.spline([tuple(map(float, pole.split(","))) for pole in poles.split()], degree=3)
     strip = make_strip(curve, "spring-steel-0.2", max_width=width, limits=Limits(margin=margin))
-    assert 3 <= strip.width.extremes[0] < 3.1
+    assert 3 <= strip.width.extremes[0] < 3.3
 
 
 WAVES = _pieces(
@@ -95,7 +95,7 @@ WAVES = _pieces(
 def test_a_stable_strip_is_not_narrower_than_the_workshop_can_cut():
     """The search with a margin narrows the whole strip by 1 % or more, and the strip was refused as too narrow."""
     strip = make_strip(WAVES, "pom-1", max_width=43, limits=Limits(margin=5.0))
-    assert 3 <= strip.width.extremes[0] < 3.1
+    assert 3 <= strip.width.extremes[0] < 3.3
     assert strip.width.extremes[1] <= 43
 
 
@@ -115,7 +115,7 @@ def test_a_stable_strip_may_be_narrower_than_without_the_margin():
     strip = make_strip(
         PlaneCurve.spline(poles, degree=3), "spring-steel-0.2", max_width=25, limits=Limits(margin=5.0)
     )
-    assert 3 <= strip.width.extremes[0] < 3.1
+    assert 3 <= strip.width.extremes[0] < 3.3
 
 
 def test_limits_of_another_thickness_are_refused():

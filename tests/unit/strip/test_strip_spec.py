@@ -69,7 +69,7 @@ def test_requests_are_equal_where_they_ask_the_same(fields):
         ({"max_width": 12.0, "min_width": 2.0}, True),
         ({"ends": (Tab(3), Tab(4))}, True),
         ({"slots": (Slot(20.0, width=1.0),)}, True),
-        ({"sheet": "birch-plywood-0.8"}, True),
+        ({"sheet": "birch-plywood-0.8"}, False),
         ({"style": Perforated(width=24.0)}, True),
         ({"frame": UPRIGHT}, True),
         ({"natural_curvature": 0.001}, False),
