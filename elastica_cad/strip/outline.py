@@ -16,7 +16,6 @@ from elastica_cad.errors import BareLength, InputError, Length
 from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline, distances, meets
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, turn_between
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import greville, kinks
 from elastica_cad.mechanics.loads import Supports
@@ -309,20 +308,12 @@ kernels fail."""
 MEETING_MM = 1e-9
 """Largest distance, mm, between the ends of two segments that meet."""
 
-EASED_MM = 0.03
-"""Largest distance, mm, between the side of a tab and its eased beginning."""
-
-EASED_SLOPES = 1e-4, 0.15
-"""Slopes between a long side and the side of a tab for which the beginning of the tab is eased.
-
-CAD kernels fail to chamfer edges that meet at a slight corner. Larger corners remain."""
-
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
     """Return the closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
 
     The long sides are B-splines. The x coordinates of their control points are the Greville abscissae of the
-    knots, so that y(x) is exactly half the width. A tab as wide as the strip begins with the slope of the sides.
+    knots, so that y(x) is exactly half the width.
     """
     pieces = _parts_between_jumps(width)
     lower = [_side(piece, -0.5) for piece in pieces]
@@ -331,30 +322,7 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
         [segment.transformed(to_strip) for segment in _without_small_shoulders(tab, wide).corners(wide)]
         for tab, wide, to_strip in _placed_tabs(width, ends)
     )
-    far_tab, near_tab = _eased(lower[-1], upper[0], far), _eased(upper[-1], lower[0], near)
-    return Path(close_chain([*lower, *far_tab, *upper, *near_tab]), closed=True)
-
-
-def _eased(before: Segment, after: Segment, tab: Sequence[Segment]) -> list[Segment]:
-    """Return the outline of a tab that begins and ends in the directions of the long sides before and after it."""
-    begun = [*_entry(before, tab[0]), *tab[1:]]
-    back = [segment.reversed() for segment in reversed(begun)]
-    return [segment.reversed() for segment in reversed([*_entry(after.reversed(), back[0]), *back[1:]])]
-
-
-def _entry(side: Segment, line: Segment) -> tuple[Segment, ...]:
-    """Return the first line of a tab, begun by a cubic that leaves the side before it without a corner."""
-    along = line.tangent_at(0.0)
-    slope = float(np.tan(turn_between(along, side.tangent_at(1.0))))
-    is_slight = EASED_SLOPES[0] < abs(slope) < EASED_SLOPES[1]
-    if not (is_slight and isinstance(line, Line) and meets(side, line, MEETING_MM)):
-        return (line,)
-    # the cubic leaves the line by 2/9 of its length times the slope
-    half = min(4.5 * EASED_MM / abs(slope), line.length) / 2 * along
-    # x is not linear in the parameter, as it is on the long sides
-    points = np.array([0.0 * half, half + slope * left_of(half), half, 2 * half])
-    cubic = Spline(PlaneCurve.spline(line.start + points, degree=3))
-    return cubic, *lines_through([cubic.end, line.end])
+    return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:

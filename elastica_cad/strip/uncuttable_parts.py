@@ -39,7 +39,6 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
-from elastica_cad.strip.outline import EASED_MM
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
@@ -568,13 +567,8 @@ def _thin_strip(
             )
             yield from _faults_at(name, [place], least, layer.sheet, apart, strip=strip)
             continue
-        end, beyond = int(place.x > 0), not 0 <= place.x <= strip.rod.length
-        of_tab = beyond and strip.ends[end].width is not None
-        # the eased beginning of a tab is narrower, but the limit is for the width of the strip there
-        lost = strip.end_widths[end] - place.width if beyond and not of_tab else 0.0
-        width = place.width + (lost if 0 < lost <= 2 * EASED_MM else 0.0)
-        if width < least:
-            (tabs if of_tab else free).append(replace(place, width=width))
+        of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
+        (tabs if of_tab else free).append(place)
     if free:
         cure, changes = _suggestions_for_necks(strip, least / free[0].width, least, noisy)
         for fault in _faults_at(name, free, least, layer.sheet, cure, strip=strip):

@@ -39,7 +39,7 @@ class TestAlgebraMode:
     def test_outline(self, edge, measure):
         outline = StripOutline(edge, SHEET, **OPTIONS)
         assert measure.area(outline.face().wrapped) == pytest.approx(outline.strip.area, rel=1e-9)
-        assert len(outline.face().outer_wire().edges()) == 8 + 2  # the tab at the start is eased
+        assert len(outline.face().outer_wire().edges()) == 8
         assert isinstance(outline, bd.Sketch)
 
     def test_flat(self, edge):

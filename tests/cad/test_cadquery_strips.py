@@ -41,7 +41,7 @@ class TestFreeFunctions:
         outline = strip_outline(edge, SHEET, **OPTIONS)
         assert outline.isValid()
         assert measure.area(outline.wrapped) == pytest.approx(outline.strip.area, rel=1e-9)
-        assert len(outline.outerWire().Edges()) == 8 + 2  # the tab at the start is eased
+        assert len(outline.outerWire().Edges()) == 8
 
     def test_flat(self, edge):
         flat = flat_strip(edge, SHEET, **OPTIONS)

@@ -27,20 +27,6 @@ def volume_of_mesh(body, tolerance, angle):
 
 
 @pytest.mark.build123d
-@pytest.mark.parametrize("rise", [20, 35, 60])
-def test_long_edges_are_chamfered_past_the_tabs(rise):
-    arch = bd.Edge.make_spline([(0, 0), (60, rise), (150, 0.8 * rise), (200, 0)])
-    strip = bd_strips.BentStrip(arch, "pom-2", max_width=20, ignore_limits=True, mode=bd.Mode.PRIVATE)
-    edges = [edge for edge in strip.edges() if edge.length > strip.rod.length / 2]
-    assert len(edges) == 4
-    for change in (bd.chamfer, bd.fillet):
-        for size in (0.2, 0.9):
-            changed = change(edges, size)
-            assert changed.is_valid
-            assert 0.9 * strip.volume < changed.volume < strip.volume
-
-
-@pytest.mark.build123d
 def test_long_sides_of_even_width_are_planes(rib):
     sides = [face for face in rib.faces() if abs(face.normal_at().Z) > 0.999]
     assert {face.geom_type for face in sides} == {bd.GeomType.PLANE}

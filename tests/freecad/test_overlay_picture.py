@@ -94,7 +94,9 @@ def test_closed_curves_are_judged_like_others():
 def test_bad_curves_are_one_sentence():
     with pytest.raises(NotRealizable) as caught:
         solve_strip(picture_of(SNAKE))
-    assert refusal_answer(caught.value).sentence == check_equilibrium(SNAKE).reasons[0]
+    assert refusal_answer(caught.value).sentence == caught.value.check.reasons[0]
+    assert caught.value.check.reasons[0].startswith("The strip would break")
+    assert caught.value.check.reasons[1:] == check_equilibrium(SNAKE).reasons
 
 
 def test_straight_ends_are_tabs_in_the_overlay_too():

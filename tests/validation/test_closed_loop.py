@@ -42,8 +42,7 @@ def widths_of(path):
     """Stations and widths of the free part from the splines on CUT_OUTER, and its length."""
     document = ezdxf.readfile(path)
     sides = [e for e in document.modelspace() if e.dxftype() == "SPLINE" and e.dxf.layer == "CUT_OUTER"]
-    # short splines at the ends are the beginnings of the tabs
-    sides = sorted(sides, key=lambda e: -len(e.control_points))[:2]
+    assert len(sides) == 2, "a smooth strip has exactly two spline edges"
     graphs = []
     for side in sides:
         points = np.array(side.control_points)[:, :2]

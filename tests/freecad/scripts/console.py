@@ -40,7 +40,7 @@ def report(document, feature):
 
     width = feature.MaxWidth.Value
     feature.MaxWidth = 0
-    answers["said"] = [line for line in printed(document.recompute).splitlines() if "MaxWidth" in line]
+    answers["said"] = [line for line in printed(document.recompute).splitlines() if "Largest width" in line]
     answers["traceback"] = (OUT / "said.txt").read_text().count("Traceback")
     answers["status"] = feature.getStatusString()
     answers["limit"] = hasattr(sys, "tracebacklimit")

@@ -16,7 +16,6 @@ from elastica_cad.strip.flat_pattern import (
     in_short_pieces,
     in_smooth_pieces,
 )
-from elastica_cad.strip.outline import pace
 
 pytestmark = pytest.mark.core
 
@@ -83,7 +82,7 @@ def smoothed_strip(points, smooth=1.0, **options):
 
 
 def long_sides(path):
-    return [segment for segment in path.segments if isinstance(segment, Spline) and pace(segment)]
+    return [segment for segment in path.segments if isinstance(segment, Spline)]
 
 
 @pytest.mark.parametrize("smooth", [0.1, 0.5, 2.0])

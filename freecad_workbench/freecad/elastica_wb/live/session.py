@@ -52,7 +52,7 @@ from pivy import coin
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, Length, note, sentences
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.point_search import move_while_possible
 from elastica_cad.mechanics.section_limits import sharp_bend_message
 from elastica_cad.strip.strip_spec import StripSpec
@@ -362,7 +362,7 @@ class Session:
         message = note(found.near.status.value)
         if found.near.met:
             self.near = found
-            self.overlay.show_nearest(found.curve.sample(SEEN).position)
+            self.overlay.show_nearest(found.curve.sample(DRAWN_POINTS).position)
             message = note(
                 "The nearest possible curve is {far} from the drawn curve.", far=Length(found.deviation)
             )

@@ -29,7 +29,7 @@ from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
-from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, glued
@@ -149,7 +149,11 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
         near = find_rod(replace(spec, limits=limits.tightened(curvature=factor, strain=factor)))
         if near.found is None or not near.met:
             break
-        used = sharpest_bend(near.curve, spec.natural_curvature)[0] / most
+        try:
+            used = sharpest_bend(near.curve, spec.natural_curvature)[0] / most
+        except NotConvergedError:  # so close to snapping that a finer rod snaps
+            limits = replace(limits, margin=2 * (limits.margin or SAFE_MARGIN))
+            continue
         if used <= 1 + STRAIN_SLACK:
             return near
         factor *= 1 + BEYOND * (used - 1)
