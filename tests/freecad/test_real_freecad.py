@@ -28,7 +28,7 @@ def test_freecadcmd(tmp_path):
     assert found["step"] == pytest.approx(found["shapes"], rel=1e-6)
     assert len(found["files"]) == 3
     (text,) = found["said"]  # FreeCAD 1.x prints the state of failed objects itself
-    assert re.fullmatch(rf"(.*console\.py\(\d+\) Elastica, )?Strip: {re.escape(found['status'])}", text)
+    assert re.fullmatch(rf"(.*console\.py\(\d+\) )?(Elastica, )?Strip: {re.escape(found['status'])}", text)
     assert found["traceback"] == 0
     assert not found["limit"]
     assert "ZeroDivisionError" in found["mistake"]
