@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import partial
+from itertools import chain, count
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack, overload
 
@@ -279,12 +280,9 @@ class TravelJoint:
 
 
 def _free_name(rib: Any) -> str:
-    # return "slider", or with a number if the body has joints of such names
-    return next(
-        name
-        for name in ("slider", *map("slider{}".format, range(2, len(rib.joints) + 3)))
-        if name not in rib.joints
-    )
+    # "slider", with the first free number if the body has such a joint
+    names = chain(["slider"], map("slider{}".format, count(2)))
+    return next(name for name in names if name not in rib.joints)
 
 
 class Slider(TravelJoint, bd.LinearJoint):

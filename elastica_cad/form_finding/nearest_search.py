@@ -439,7 +439,8 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
         found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
         status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
         binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
-        measure=request.measure, distance=mean, again=partial(_again, request),
+        measure=request.measure, distance=deviation if request.measure == "max" else mean,
+        again=partial(_again, request),
     )  # fmt: skip
 
 

@@ -85,11 +85,11 @@ def _with_widest(rod: Rod, widths: PlainSection) -> Rod:
 
 def _sharp_refusal(spec: RodSpec, error: NotRealizable) -> NotRealizable:
     """Return the refusal of a curve, which begins with the place where the sheet would break, if there is one."""
+    if spec.sheet is None:
+        return error
     samples = spec.curve_to_bend.sample(_BEND_SAMPLES)
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
     most = int(bend.argmax())
-    if spec.sheet is None:
-        return error
     reason = sharp_bend_message(spec.sheet, float(bend[most]), float(samples.s[most]))
     if reason is None:
         return error

@@ -34,7 +34,7 @@ class RodSpec(RodRequest):
     widths : PlainSection, optional
         Section with limits of its width, for a solid strip that carries loads.
     sheet : Sheet, optional
-        Sheet of a strip whose outer fibres are at its faces, for refusals.
+        Sheet that the refusal of a curve too sharp for it names; None for a section of other thickness.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
     """

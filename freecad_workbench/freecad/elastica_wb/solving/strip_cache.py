@@ -193,10 +193,8 @@ def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
     most = len(nearest.curve.control_points)
     if not nearest.met or most <= MOST_DRAGGED:
         return DraggableCurve(nearest, nearest.curve, nearest.deviation, "")
-    target, farthest = (
-        TargetCurve.of(spec.curve),
-        max(FARTHER * nearest.deviation, NEAR_FRACTION * spec.curve.length),
-    )
+    target = TargetCurve.of(spec.curve)
+    farthest = max(FARTHER * nearest.deviation, NEAR_FRACTION * spec.curve.length)
     limits = spec.limits.tightened(curvature=TIGHTER, strain=TIGHTER)
     limits = replace(limits, ratio=max(1.0, limits.largest_ratio / TIGHTER))
     for coefficients in COEFFICIENTS:
