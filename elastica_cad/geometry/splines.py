@@ -356,7 +356,7 @@ def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degre
     return solved(spans, *spans.local_basis(sites), values)
 
 
-def over_knots(spline: SplineFunction, knots: FloatArray, degree: int) -> FloatArray:
+def over_knots(spline: Callable[[FloatArray], FloatArray], knots: FloatArray, degree: int) -> FloatArray:
     """Return the coefficients (m, ...) of a spline function with other clamped knots, which contain its own.
 
     Knots and degree determine splines of which the function is one, so its interpolation is exact.

@@ -17,7 +17,7 @@ from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline, distanc
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.splines import greville, kinks
+from elastica_cad.geometry.splines import greville, kinks, over_knots
 from elastica_cad.mechanics.loads import Supports
 
 StripEnd: TypeAlias = Literal["start", "end"]
@@ -305,6 +305,12 @@ SHOULDER_MM = 1e-3
 """Least width of a shoulder beside a tab, mm. Narrower shoulders are omitted, because they cannot be cut and CAD
 kernels fail."""
 
+LEVEL_MM = 0.03
+"""Largest change of half the width, mm, by which a long side ends level."""
+
+LEVEL_SLOPES = 1e-7, 0.15
+"""Slopes of long sides that end level. CAD kernels fail to chamfer edges with a slight corner between them."""
+
 MEETING_MM = 1e-9
 """Largest distance, mm, between the ends of two segments that meet."""
 
@@ -313,16 +319,35 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     """Return the closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
 
     The long sides are B-splines. The x coordinates of their control points are the Greville abscissae of the
-    knots, so that y(x) is exactly half the width.
+    knots, so that y(x) is exactly half the width, except for a level end beside a tab that is as wide.
     """
+    start, end = map(_without_small_shoulders, ends, _end_widths(width))
     pieces = _parts_between_jumps(width)
+    pieces[0] = _with_level_end(pieces[0], start, 0)
+    pieces[-1] = _with_level_end(pieces[-1], end, -1)
     lower = [_side(piece, -0.5) for piece in pieces]
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     near, far = (
-        [segment.transformed(to_strip) for segment in _without_small_shoulders(tab, wide).corners(wide)]
-        for tab, wide, to_strip in _placed_tabs(width, ends)
+        [segment.transformed(to_strip) for segment in tab.corners(wide)]
+        for tab, wide, to_strip in _placed_tabs(width, (start, end))
     )
     return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
+
+
+def _with_level_end(width: Profile, tab: Tab, at: int) -> Profile:
+    """Return the width with slope zero at its first (`at` is 0) or last end (-1) if the tab has the same width."""
+    slope = abs(float(width(width.knots[at], 1))) / 2
+    joined = tab.length > 0 and tab.width is None and tab.taper == 0
+    if not (joined and LEVEL_SLOPES[0] < slope < LEVEL_SLOPES[1]):
+        return width
+    # a knot at this distance from the end limits the change
+    reach = width.degree * LEVEL_MM / slope
+    place = width.knots[at] + (reach if at == 0 else -reach)
+    inside = width.knots[0] < place < width.knots[-1]
+    knots = np.sort(np.append(width.knots, place)) if inside else width.knots
+    coefficients = over_knots(width, knots, width.degree)
+    coefficients[1 if at == 0 else -2] = coefficients[at]
+    return Profile(knots, coefficients, width.degree)
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:

@@ -94,9 +94,12 @@ def test_mass_and_strain_are_of_both_layers(rod):
     w2 = strip.layout.backing.width
     area = w2(s).mean() * rod.length + 2 * 10.0 * 24.0
     base, backing = strip.layers
-    assert backing.area == pytest.approx(area, rel=1e-7)
+    # long sides end level beside tabs: 0.03 mm at most, over a few millimetres
+    assert backing.area == pytest.approx(area, abs=0.2)
     assert base.area == pytest.approx(24.0 * (rod.length + 20.0))
-    assert strip.mass == pytest.approx(1e-6 * (base.area * 0.2 * CARD.density + area * 0.4 * 900.0), rel=1e-7)
+    assert strip.mass == pytest.approx(
+        1e-6 * (base.area * 0.2 * CARD.density + backing.area * 0.4 * 900.0), rel=1e-7
+    )
     first, second = strip.strains
     assert (first.name, second.name) == (CARD.name, THICK.name)
     assert (first.limit, second.limit) == (CARD.max_strain, THICK.max_strain)

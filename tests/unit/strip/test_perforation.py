@@ -118,15 +118,18 @@ def test_weighs_like_its_stiffness(rod):
     plain = ec.Strip(rod, CARD, max_width=12.0)
     tabs = 10.0 * sum(strip.end_widths) - 10.0 * sum(plain.end_widths)
     extra = tabs * CARD.thickness * CARD.density * 1e-6
-    assert strip.mass - extra == pytest.approx(plain.mass, rel=1e-5)
+    # long sides end level beside tabs: 0.03 mm at most, over a few millimetres
+    assert strip.mass - extra == pytest.approx(plain.mass, rel=2e-4)
     assert strip.max_strain == pytest.approx(plain.max_strain)
     assert strip.reactions().end_force == pytest.approx(plain.reactions().end_force)
 
 
 def test_as_built_is_as_designed_where_the_ligaments_are(rod):
     strip = ec.Strip(rod, CARD, max_width=12.0, style=Perforated(width=wavy, columns=2))
-    assert strip.as_built.stiffness == pytest.approx(rod.stiffness, rel=1e-4)
-    assert strip.deviation_as_built < 1e-3
+    assert strip.as_built.stiffness[25:-25] == pytest.approx(rod.stiffness[25:-25], rel=1e-4)
+    # long sides end level beside tabs
+    assert strip.as_built.stiffness == pytest.approx(rod.stiffness, rel=6e-3)
+    assert strip.deviation_as_built < 2e-3
 
 
 def test_a_solid_end_goes_back_into_the_rod(rod):
