@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad._values import is_whole, require_positive, require_record
+from elastica_cad._values import is_whole, pair, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, unit
@@ -316,7 +316,7 @@ def _no_equations(curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
 
 
 def _where(held: Sequence[bool], rows: FloatArray) -> Iterator[FloatArray | None]:
-    return (row if is_held else None for row, is_held in zip(rows, held, strict=True))
+    return (row if is_held else None for row, is_held in zip(rows, pair(held, "the held ends"), strict=True))
 
 
 def _at_held_ends(
