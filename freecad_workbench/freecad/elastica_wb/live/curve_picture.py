@@ -100,7 +100,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     positions = [*good, *bad, *met]
     marks = _at(check.curve, positions)
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
-    answer, realizable = quick_answer(drawn_curve, samples, spec, check), check.realizable
+    answer, realizable = quick_answer(drawn_curve, spec, check), check.realizable
     thrust: tuple[FloatArray, ...] = ()
     if realizable and acting:
         try:

@@ -43,7 +43,6 @@ from freecad.elastica_wb.solving.strip_cache import (
     DraggableCurve,
     default_spec,
     nearest_to_drag,
-    sharpest_bend,
     solve_strip,
 )
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict, answer_of, refusal_answer, strip_answer
@@ -54,7 +53,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, Length, note, sentences
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.point_search import move_while_possible
-from elastica_cad.mechanics.section_limits import sharp_bend_message
+from elastica_cad.mechanics.section_limits import sharp_bend_message, sharpest_bend
 from elastica_cad.strip.strip_spec import StripSpec
 
 # delay, ms, of slower results after the last mouse move

@@ -9,7 +9,6 @@ from dataclasses import replace
 from functools import lru_cache, wraps
 from typing import Any, NamedTuple, TypeVar
 
-import numpy as np
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid, make_wire
 from freecad.elastica_wb.curves.sketch_curves import MOST_DRAGGED
@@ -25,10 +24,9 @@ from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature
+from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.section_limits import STRAIN_SLACK
+from elastica_cad.mechanics.section_limits import STRAIN_SLACK, sharpest_bend
 from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.held_shape import HeldShape
@@ -61,24 +59,6 @@ def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
         return result
 
     return result_or_error
-
-
-STEPS, FINER = 641, 21
-
-
-def sharpest_bend(
-    curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
-) -> tuple[float, float]:
-    """Return the largest change of curvature, 1/mm, from unbent strip to curve, and its position, mm."""
-    samples = curve.sample(STEPS) if samples is None else samples
-    s, t = samples.s, samples.t
-    most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
-    fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
-    # strip and curve have the same length, so positions along both are equal
-    places = np.append(np.interp(fine, t, s), s[-1])
-    bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
-    best = int(np.argmax(bend))
-    return float(bend[best]), float(places[best])
 
 
 MANY_HOLES = 100
@@ -202,7 +182,7 @@ def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
         with suppress(NotConvergedError):
             for curve in coarse_curves(near.rod, SPANS) if near.met and near.deviation <= farthest else ():
                 if _is_within_limits(replace(spec, curve=curve)):
-                    far = measure_deviation(target, curve.sample(STEPS).position)
+                    far = measure_deviation(target, curve.sample(DRAWN_POINTS).position)
                     return DraggableCurve(near, curve, far, note(
                         "The new curve has {count} poles and is {far} from the original curve. With {most} "
                         "poles, too many to drag, the distance would be {near}.",
