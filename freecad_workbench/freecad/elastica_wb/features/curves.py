@@ -20,7 +20,7 @@ from freecad.elastica_wb.curves.plane_sections import (
     path_points,
     section_sketches,
 )
-from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve
+from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve, renumbered
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.features.strip_properties import NEAREST, nearest_spec_of
@@ -59,6 +59,7 @@ class NearestFeature(Feature):
             for b in near.binding[:3]
         )
         reports = [
+            *renumbered(obj),
             note(near.status.value),
             *([note("These limits prevent a nearer curve: {limits}.", limits=limits)] if limits else []),
         ]

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, renumbered
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip_properties import SHEET_PROPERTIES, sheet_of, value_of_field
 from freecad.elastica_wb.host.progress import in_background
@@ -115,7 +115,7 @@ class FlexureFeature(Feature):
                 if not part.pair.bistable
                 else note("This part does not rest in both curves.")
             ),
-            Reasons=list(part.warnings),
+            Reasons=[*renumbered(obj), *part.warnings],
             Bistable=part.bistable,
             LargestForce=travel.largest_force,
             SnapTravel=(travel.snap or 0.0) if part.pair.bistable else 0.0,

@@ -67,6 +67,17 @@ FreeCAD moves the objects of this link into another container together with the 
 The links to the sources have global scope, because a source may be in another container, such as a body.
 """
 
+CHOSEN_EDGES = Property(
+    "FloatList",
+    "ChosenEdges",
+    "Curve",
+    "Lengths and ends of the edges when they were chosen",
+    [],
+    result=True,
+    hidden=True,
+)
+"""Property of features that follow a curve, from which `renumbered` recognizes the edges of the property Curve."""
+
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
@@ -107,7 +118,8 @@ class Feature(Unsaved):
             for name in cls.sheets
         ]
         cls.links = tuple(entry.name for entry in cls.properties if entry.kind.startswith("Link"))
-        cls.properties = (*cls.properties, *titles, *cls.places)
+        chosen = [CHOSEN_EDGES] if "Curve" in cls.links else []
+        cls.properties = (*cls.properties, *titles, *chosen, *cls.places)
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
 
     def __init__(self, obj: Any) -> None:
@@ -158,6 +170,8 @@ class Feature(Unsaved):
             return
         if name in self.links:
             _note_containers(obj)
+        if name == "Curve" and CHOSEN_EDGES.name in obj.PropertiesList:
+            put(obj, ChosenEdges=[])
         if f"{name}Title" in obj.PropertiesList:
             _show_title(obj, name)
         numbers_name = self.sheets.get(name)

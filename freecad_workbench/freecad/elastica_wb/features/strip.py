@@ -9,9 +9,8 @@ from typing import Any, ClassVar
 from weakref import WeakValueDictionary
 
 import FreeCAD as App
-import Part
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve, edge_marks
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, renumbered
 from freecad.elastica_wb.features.proxy import Feature, parents
 from freecad.elastica_wb.features.strip_properties import (
     FOLLOW,
@@ -61,9 +60,6 @@ from elastica_cad.strip.summary import not_computed_row
 
 BODY = "PartDesign::Body"
 
-MARK_NUMBERS = 7
-"""Count of the numbers of `edge_marks` for an edge."""
-
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
 """Suggested changes of the drawing: "point" moves a control point, and "size" scales the curve.
@@ -112,8 +108,6 @@ class StripFeature(Feature):
         positions refer to the current curve and are not scaled.
         """
         super().onChanged(obj, name)
-        if name == "Curve" and "Restore" not in obj.State and "ChosenEdges" in obj.PropertiesList:
-            put(obj, ChosenEdges=[])
         if (
             name in ("Between", "Loads")
             and "Restore" not in obj.State
@@ -147,7 +141,7 @@ class StripFeature(Feature):
         near = _nearest_of(spec)
         if near is not None:
             _nearest[made_from] = near
-        _show_results(obj, strip, near, moved_by_smoothing(spec), _renumbered(obj))
+        _show_results(obj, strip, near, moved_by_smoothing(spec), renumbered(obj))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
         """Show the error. While the sketch is open, no feature is hidden."""
@@ -180,7 +174,7 @@ class StripFeature(Feature):
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     """Make a strip that follows a sketch or edges of an object, without recomputing the document."""
     group = sketch.getParentGeoFeatureGroup()
-    body = group is not None and group.TypeId == BODY and not _solids(group)
+    body = group is not None and group.TypeId == BODY and not group.Shape.Solids
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
     # FreeCAD forbids equal labels, so the label of the sketch is used only if the user chose it
@@ -367,31 +361,6 @@ def _hash_of_request(obj: Any, drawn: Any, spec: Any) -> str:
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
-def _solids(body: Any) -> bool:
-    shape = getattr(body, "Shape", None)
-    return shape is not None and not shape.isNull() and bool(shape.Solids)
-
-
-def _renumbered(obj: Any) -> list[str]:
-    """Return a remark if another edge got the name of the chosen edge, as FreeCAD 0.20 numbers edges.
-
-    The chosen edge still exists then. Otherwise the edge has changed, and its new form is stored.
-    """
-    source, names = obj.Curve
-    names = [name for name in names if name and "." not in name]
-    shape = Part.getShape(source)
-    marks, numbers = edge_marks(shape, names) if names else [], obj.ChosenEdges
-    chosen = [tuple(numbers[i : i + MARK_NUMBERS]) for i in range(0, len(numbers), MARK_NUMBERS)]
-    if chosen and set(marks) != set(chosen) and set(chosen) <= set(edge_marks(shape)):
-        before, now = (Length(sum(length for length, *_ in edges)) for edges in (chosen, marks))
-        return [note(
-            "The curve is another edge than before: {before:.4g} -> {now:.4g}. Choose the curve again.",
-            before=before, now=now,
-        )]  # fmt: skip
-    put(obj, ChosenEdges=[number for mark in marks for number in mark])
-    return []
-
-
 def _show_results(
     obj: Any, strip: Strip, near: NearestRod | None, smoothed: float, remarks: list[str]
 ) -> None:
@@ -432,9 +401,7 @@ def _show_results(
         Reasons=list(dict.fromkeys(notes)),
         Fails=[fault.number for fault in faults],
         Margin=0.0 if stability is None else stability.margin,
-        ConjugatePoint=0.0
-        if stability is None or stability.conjugate_point is None
-        else stability.conjugate_point,
+        ConjugatePoint=0.0 if stability is None else stability.conjugate_point or 0.0,
         Deviation=(rod.moved if near is None else near.deviation) + smoothed,
         **{entry.name: entry.of(strip) for entry in PROPERTIES if entry.of is not None},
     )

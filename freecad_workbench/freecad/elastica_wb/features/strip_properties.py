@@ -100,15 +100,6 @@ SHEET_PROPERTIES = (
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
-    Property(
-        "FloatList",
-        "ChosenEdges",
-        "Curve",
-        "Lengths and ends of the edges when they were chosen",
-        [],
-        result=True,
-        hidden=True,
-    ),
     Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
     Property(
         "Length",
