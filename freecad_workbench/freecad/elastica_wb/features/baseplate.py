@@ -5,7 +5,6 @@
 
 from typing import Any, ClassVar
 
-import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, frame_of
@@ -17,7 +16,6 @@ from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plate_pairs import end_plates
@@ -104,18 +102,12 @@ class RingsFeature(Feature):
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make a base plate for a model or for strips, without recomputing the document."""
-    return _with_color_of_sheet(added(document, "BasePlate", BasePlateFeature, sources, Sources=sources))
+    return added(document, "BasePlate", BasePlateFeature, sources, Sources=sources)
 
 
 def create_rings(document: Any, sources: list[Any]) -> Any:
     """Make rings for the ends of a model or of strips, without recomputing the document."""
-    return _with_color_of_sheet(added(document, "Rings", RingsFeature, sources, Sources=sources))
-
-
-def _with_color_of_sheet(obj: Any) -> Any:
-    if App.GuiUp:
-        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
-    return obj
+    return added(document, "Rings", RingsFeature, sources, Sources=sources)
 
 
 def plates_of(obj: Any) -> tuple[BasePlate | Rib, ...]:

@@ -25,11 +25,11 @@ from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.features.strip_properties import NEAREST, nearest_spec_of
 from freecad.elastica_wb.host.objects import is_sketch, is_strip
-from freecad.elastica_wb.host.progress import progress
+from freecad.elastica_wb.host.progress import in_background, progress
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report
-from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
+from freecad.elastica_wb.solving.strip_cache import SEARCHING, find_nearest_now, nearest_to_drag
 
 from elastica_cad.errors import FieldName, InputError, Listed, note, sentences
 from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
@@ -51,7 +51,7 @@ class NearestFeature(Feature):
     def make(self, obj: Any) -> None:
         """Set the shape to the nearest curve."""
         curve = drawn_curve(obj.Curve, obj)
-        near = find_nearest_to_draw(nearest_spec_of(obj, curve))
+        near = in_background(SEARCHING, find_nearest_now, nearest_spec_of(obj, curve))
         obj.Shape = spline_geometry(near.curve).toShape()
         obj.Placement = curve.placement
         limits = Listed(
@@ -238,7 +238,8 @@ def section_sketches_of(obj: Any) -> None:
 
 
 def _curve_to_drag(obj: Any) -> PlaneCurve:
-    found = find_nearest_to_drag(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+    spec = nearest_spec_of(obj, drawn_curve(obj.Curve, obj))
+    found = in_background(SEARCHING, nearest_to_drag, spec)
     if found.cost:
         report(found.cost, obj.Label)
     return found.curve

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, renumbered
@@ -27,7 +26,6 @@ from elastica_cad.errors import ElasticaError, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import box_about
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.pairs.flexure import CentreLine, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
@@ -139,12 +137,8 @@ def create(
     """Make a two-state part from two curves, without recomputing the document."""
     curves = {"Curve": (first, list(first_edges)), "SecondCurve": (second, list(second_edges))}
     label = f"{first.Label} {translate('Elastica', 'two states')}"
-    obj = added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves)
-    if USUAL_SHEET in sheet_list():
-        obj.Sheet = USUAL_SHEET
-    if App.GuiUp:
-        obj.ViewObject.ShapeColor = sheet_color(sheet_of(obj))
-    return obj
+    usual = {"Sheet": USUAL_SHEET} if USUAL_SHEET in sheet_list() else {}
+    return added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves, **usual)
 
 
 def spec_of(obj: Any) -> FlexureSpec:

@@ -250,7 +250,10 @@ def added(
     type_id: str = "Part::FeaturePython",
     **properties: Any,
 ) -> Any:
-    """Add a feature with these properties to the document, or to the App::Part that contains all `sources`."""
+    """Add a feature with these properties to the document, or to the App::Part that contains all `sources`.
+
+    A feature with a sheet gets the colour of its sheet.
+    """
     obj = document.addObject(type_id, name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -258,6 +261,8 @@ def added(
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
     dress(obj)
+    if App.GuiUp and proxy.sheets:
+        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     for prop, value in properties.items():
         setattr(obj, prop, value)
     return obj

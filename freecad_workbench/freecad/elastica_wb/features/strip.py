@@ -23,14 +23,16 @@ from freecad.elastica_wb.features.strip_properties import (
 )
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
+from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.words import name_of
 from freecad.elastica_wb.solving.strip_cache import (
+    SEARCHING,
     bent_shape,
-    find_nearest,
+    find_rod,
     flat_shape,
     held_shape,
     judged,
@@ -309,7 +311,7 @@ def shown_nearest(obj: Any) -> NearestRod | None:
 
 
 def _nearest_of(spec: StripSpec) -> NearestRod | None:
-    return find_nearest(spec.rod_spec) if spec.may_change else None
+    return in_background(SEARCHING, find_rod, spec.rod_spec) if spec.may_change else None
 
 
 def show_held(obj: Any) -> None:

@@ -15,7 +15,6 @@ from elastica_cad.errors import ElasticaError, Length
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.elements import noun_of
 from elastica_cad.mechanics.loads import nodal_curvature
-from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
@@ -104,7 +103,10 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     thrust: tuple[FloatArray, ...] = ()
     if realizable and acting:
         try:
-            thrust = thrust_lines(find_rod(rod_spec))
+            rod = find_rod(rod_spec)
+            low, high = rod.position.min(axis=0), rod.position.max(axis=0)
+            margin = LINE_MARGIN * float(np.max(high - low))
+            thrust = tuple(thrust_sides(rod, low - margin, high + margin))
         except ElasticaError as error:
             answer, realizable = refusal_answer(error), False
     places_of = [_at(check.curve, element.s) for element in acting]
@@ -126,13 +128,6 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         ),
         cords=tuple(ends for ends in places_of if len(ends) > 1),
     )
-
-
-def thrust_lines(rod: Rod) -> tuple[FloatArray, ...]:
-    """Return the parts of a rod's thrust line that are near the rod."""
-    low, high = rod.position.min(axis=0), rod.position.max(axis=0)
-    margin = LINE_MARGIN * float(np.max(high - low))
-    return tuple(thrust_sides(rod, low - margin, high + margin))
 
 
 def _point(place: FloatArray) -> Point:

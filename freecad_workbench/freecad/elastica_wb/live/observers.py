@@ -194,7 +194,7 @@ class Changes:
             is_sketch(obj)
             and not obj.Document.Restoring
             and not obj.Document.Transacting
-            and _is_workbench_active()
+            and Gui.activeWorkbench().name() == WORKBENCH
         ):
             remember(obj, True)
 
@@ -306,10 +306,6 @@ def _is_importing(document: Any) -> bool:
     return bool(getattr(document, "Importing", False))
 
 
-def _is_workbench_active() -> bool:
-    return bool(App.GuiUp) and Gui.activeWorkbench().name() == WORKBENCH
-
-
 def _module_if_imported(module: str) -> Any:
     return sys.modules.get(f"freecad.elastica_wb.{module}")
 
@@ -359,7 +355,11 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
     for obj in (feature for feature in ours if not is_strip(feature)):
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
-        stands_elsewhere = regrouped or any(feature.Name in changed for feature in _containers_of(obj))
+        stands_elsewhere = regrouped or any(
+            above.Name in changed
+            for above in (obj.getParentGeoFeatureGroup(), *getattr(obj, "Containers", ()))
+            if above is not None
+        )
         if (
             failed
             or (follows and feature_kind(obj) in CURVES)
@@ -375,11 +375,6 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 def _names(objects: list[Any]) -> set[str]:
     """Return the names of objects. FreeCAD lists an object that is being deleted as None."""
     return {obj.Name for obj in objects if obj is not None}
-
-
-def _containers_of(obj: Any) -> list[Any]:
-    parent = obj.getParentGeoFeatureGroup()
-    return [*([parent] if parent is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:

@@ -103,19 +103,9 @@ def _shared_request(spec: StripSpec) -> StripSpec:
     return spec
 
 
-def find_nearest(spec: RodSpec) -> NearestRod:
-    """Return the nearest rod within the limits of a request."""
-    return in_background(SEARCHING, find_rod, spec)
-
-
-def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
-    """Return the nearest rod whose curve, as a spline, is within the limits."""
-    return in_background(SEARCHING, find_nearest_now, spec)
-
-
 @remembered
 def find_nearest_now(spec: RodSpec) -> NearestRod:
-    """Do the work of `find_nearest_to_draw` in this thread, without a progress bar.
+    """Return the nearest rod whose curve, as a spline, is within the limits.
 
     The curvature of the spline differs from the rod's curvature by a few thousandths. Therefore the limits of
     the rod are tightened.
@@ -158,17 +148,12 @@ class DraggableCurve(NamedTuple):
     cost: str
 
 
-def find_nearest_to_drag(spec: RodSpec) -> DraggableCurve:
+@remembered
+def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
     """Return a nearest curve with few enough poles for dragging.
 
     If no such curve is within the limits, return the nearest curve with all poles.
     """
-    return in_background(SEARCHING, nearest_to_drag, spec)
-
-
-@remembered
-def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
-    """Do the work of `find_nearest_to_drag` in this thread, without a progress bar."""
     nearest = find_nearest_now(spec)
     most = len(nearest.curve.control_points)
     if not nearest.met or most <= MOST_DRAGGED:
