@@ -118,7 +118,7 @@ class Family:
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
     """Return the objects with faces or triangles, except datum planes."""
-    bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
+    bodies = [obj for obj in objects if _has_faces(obj)]
     if not bodies:
         raise InputError("nothing to cut is selected: select a body, a surface or a mesh")
     return bodies
@@ -245,18 +245,15 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
     source = _mesh_object(obj)
     if source is None:
         return None
-    vertices, faces = _arrays(source.Document.Name, source.Name, *_fingerprint(source))
+    mesh, placement = source.Mesh, source.Placement.toMatrix().A
+    fingerprint = mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *placement
+    vertices, faces = _arrays(source.Document.Name, source.Name, *fingerprint)
     place = container(obj) * obj.Placement
     if source is not obj and getattr(obj, "LinkTransform", False):
         place = place * source.Placement
     matrix = (place * source.Placement.inverse()).toMatrix()
     rows = np.array(matrix.A, dtype=float).reshape(4, 4)
     return vertices @ rows[:3, :3].T + rows[:3, 3], faces
-
-
-def _fingerprint(source: Any) -> tuple[float, ...]:
-    mesh = source.Mesh
-    return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
 
 
 @lru_cache(maxsize=4)
@@ -276,13 +273,10 @@ def _mesh_object(obj: Any) -> Any:
     return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
 
 
-def _has_triangles(obj: Any) -> bool:
-    source = _mesh_object(obj)
-    return source is not None and source.Mesh.CountFacets > 0
-
-
 def _has_faces(obj: Any) -> bool:
-    shape = _shape(obj)
+    source, shape = _mesh_object(obj), _shape(obj)
+    if source is not None and source.Mesh.CountFacets > 0:
+        return True
     return bool(shape.Faces) and is_bounded(shape.BoundBox)  # a datum plane has an infinite face
 
 

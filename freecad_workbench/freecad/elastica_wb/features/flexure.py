@@ -3,7 +3,6 @@
 
 """Two-state parts, with two drawn curves as rest shapes, and their holders as parametric objects."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -29,7 +28,6 @@ from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.pairs.flexure import CentreLine, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
-from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.flat_pattern import in_short_pieces
 from elastica_cad.strip.solids import FlatSolid
 
@@ -195,12 +193,6 @@ def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]
         )
     )
     return list(solids.items()) if form == FORMS[0] else [(form, solids[form])]
-
-
-def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
-    """Yield the names and drawings of the part and of its holder."""
-    yield name, part.drawing()
-    yield f"{name} {translate('Elastica', 'holder')}", part.holder()
 
 
 def _bent(part: Flexure, line: CentreLine) -> FlatSolid:

@@ -206,16 +206,13 @@ class Feature(Unsaved):
                     # replace the nominal thickness of the old sheet, but not a measured thickness
                     put(obj, Thickness=new.thickness)
 
-    def _store_sheets(self, obj: Any) -> None:
-        for name, numbers in self.sheets.items():
-            with suppress(InputError):
-                put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
-
     def execute(self, obj: Any) -> None:
         """Recompute the feature. After an error, the shape is unchanged."""
         try:
             require_choices(obj, self.properties)
-            self._store_sheets(obj)
+            for name, numbers in self.sheets.items():
+                with suppress(InputError):
+                    put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
             self.make(obj)
         except FAILURES as error:
             explanation = explained(error)
@@ -293,11 +290,14 @@ def hide(obj: Any) -> None:
         if feature.Visibility:
             feature.HiddenByError = True
             feature.Visibility = False
-    for part in (
+    for part in [
         part for feature in ours if feature.HiddenByError for part in feature.Proxy.covered(feature)
-    ):
+    ]:
         well = part not in failed and "Invalid" not in part.State
-        if well and not (part.Visibility or part.ShownByError or _visible_users(part)):
+        is_covered = any(
+            user.Visibility and part in user.Proxy.covered(user) for user in part.InList if is_ours(user)
+        )
+        if well and not (part.Visibility or part.ShownByError or is_covered):
             part.ShownByError = True
             part.Visibility = True
 
@@ -360,11 +360,6 @@ def _restore_visibility(obj: Any) -> None:
             if part.ShownByError:
                 part.ShownByError = False
                 part.Visibility = False
-
-
-def _visible_users(part: Any) -> list[Any]:
-    users = (user for user in part.InList if is_ours(user))
-    return [user for user in users if user.Visibility and part in user.Proxy.covered(user)]
 
 
 def parents(source: Any) -> list[Any]:

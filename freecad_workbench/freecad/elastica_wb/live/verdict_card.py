@@ -93,23 +93,20 @@ class VerdictCard(QtCore.QObject):
     def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
         """Show a verdict. `counts` has the number of points of each part of the overlay."""
         with suppress(RuntimeError):  # the view may already be closed
-            self._show(answer, sentence, _legend(counts))
+            if self.box.parent() is None:
+                self._insert()
+            if self.answer is None or answer.verdict is not self.answer.verdict:
+                for label in (self.heading, self.verdict):
+                    label.setStyleSheet(heading_style(answer.verdict))
+            self.words.setText(sentence)
+            self.legend.setText(_legend(counts))
+            title = worded(answer.words)
+            if title != self._title:
+                self._title = title
+                self._place()
+            self._fit()
+            self.heading.show()
         self.answer = answer
-
-    def _show(self, answer: Answer, sentence: str, legend: str) -> None:
-        if self.box.parent() is None:
-            self._insert()
-        if self.answer is None or answer.verdict is not self.answer.verdict:
-            for label in (self.heading, self.verdict):
-                label.setStyleSheet(heading_style(answer.verdict))
-        self.words.setText(sentence)
-        self.legend.setText(legend)
-        title = worded(answer.words)
-        if title != self._title:
-            self._title = title
-            self._place()
-        self._fit()
-        self.heading.show()
 
     def _insert(self) -> None:
         """Insert the box into its layout, or below the messages of the sketcher if its panel is open."""

@@ -38,10 +38,6 @@ from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.report_rows import Row
 
 
-def _flat_footnote(obj: Any) -> str:
-    return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
-
-
 def _is_editable(name: str) -> Callable[[Any], bool]:
     return lambda obj: "ReadOnly" not in obj.getEditorMode(name)
 
@@ -127,7 +123,9 @@ FLAT = Layout(
     "Edit flat part",
     {QT_TRANSLATE_NOOP("Elastica", "Flat part"): ("Layer",)},
     FlatFeature.properties,
-    footnote=_flat_footnote,
+    footnote=lambda obj: "\n".join(
+        map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))]))
+    ),
 )
 
 FIXTURES = Layout(

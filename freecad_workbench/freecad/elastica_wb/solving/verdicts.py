@@ -170,7 +170,14 @@ def strip_answer(strip: Strip) -> Answer:
         return _failing(faults)
     if check is not None and check.undecided is not None:
         return _impossible(check)
-    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
+    sentence = note(
+        "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} "
+        "% of the sheet's limit." if is_bent_beforehand(strip) else
+        "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
+        "of the sheet's limit.",
+        width=Span.of(*strip.width.extremes), ratio=strip.rod.ratio, used=strip.strain_verdict.percent,
+    )  # fmt: skip
+    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence)
 
 
 def _failing(faults: list[Fault]) -> Answer:
@@ -193,17 +200,6 @@ def refusal_answer(error: ElasticaError) -> Answer:
         else note("cannot be made: {reason}", reason=sentence)
     )
     return Answer(Verdict.BREAKS, words, sentence)
-
-
-def sentence_of(strip: Strip) -> str:
-    """Return a sentence on a strip that can be made."""
-    return note(
-        "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} "
-        "% of the sheet's limit." if is_bent_beforehand(strip) else
-        "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
-        "of the sheet's limit.",
-        width=Span.of(*strip.width.extremes), ratio=strip.rod.ratio, used=strip.strain_verdict.percent,
-    )  # fmt: skip
 
 
 def _impossible(check: EquilibriumCheck) -> Answer:
