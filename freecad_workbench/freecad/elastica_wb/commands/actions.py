@@ -27,7 +27,7 @@ from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.check import CheckPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.recording import record_recompute, record_value, recorded
-from freecad.elastica_wb.undo_steps import close_step, open_step, open_step_and
+from freecad.elastica_wb.undo_steps import active_step, close_step, open_step
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.pairs.flexure import STATES
@@ -65,7 +65,11 @@ def _begin_step(name: str) -> None:
     if (sketch := edited_sketch()) is not None:
         # FreeCAD hides an open sketch, which must be visible after an undo
         sketch.Visibility = True
-    open_step_and(_close_sketch, App.ActiveDocument, name)
+    # open the step first, because FreeCAD names a step "close the sketch" if no step is open
+    open_step(App.ActiveDocument, name)
+    _close_sketch()
+    if not active_step(App.ActiveDocument):  # FreeCAD 1.2 ends the step when the sketch closes
+        open_step(App.ActiveDocument, name)
 
 
 def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None:
@@ -209,18 +213,14 @@ def make_model() -> None:
 
 
 def make_nest() -> None:
-    """Arrange all parts on sheets in one undo step, which an error undoes."""
+    """Arrange all parts on sheets in one undo step."""
     document, sources = App.ActiveDocument, chosen_sources()
     failed = [message for message in map(why_not_made, sources) if message]
     if failed:
         raise InputError("; ".join(failed))
     open_step(document, "Nest on sheets")
-    try:
-        feature = recorded(nest.create, document, sources)
-        record_recompute(document)
-    except BaseException:
-        close_step(document, abort=True)
-        raise
+    feature = recorded(nest.create, document, sources)
+    record_recompute(document)
     close_step(document)
     # keep the undo step, because the parts may fit on larger sheets
     if "Invalid" in feature.State:

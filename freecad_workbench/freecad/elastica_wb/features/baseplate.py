@@ -10,7 +10,7 @@ from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, frame_of
 from freecad.elastica_wb.features.fixtures import report_holders, source_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
-from freecad.elastica_wb.host.objects import is_rings
+from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.property_table import NOTHING, Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
@@ -113,7 +113,7 @@ def create_rings(document: Any, sources: list[Any]) -> Any:
 def plates_of(obj: Any) -> tuple[BasePlate | Rib, ...]:
     """Return the records of the plates that a base plate or rings show, and of their spacers."""
     model, sheet = source_model(obj.Sources), sheet_called(obj.Sheet, obj.SheetData)
-    if is_rings(obj):
+    if feature_kind(obj) == "Rings":
         ends = ENDS if obj.Ends == HELD_ENDS[0] else (obj.Ends,)
         options = {**values_of(obj, RING_SIZES), "holes": _holes(obj, HOLE_SIZES), "name": obj.Label}
         plates = end_plates(model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, **options)

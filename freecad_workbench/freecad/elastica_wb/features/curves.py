@@ -125,18 +125,16 @@ class SectionFeature(Feature):
         """Set the shape to the smoothed sections of the sources."""
         sections, remarks = _cut_sources(obj)
         curves = [curve for _, body_curves in sections for curve in body_curves]
-        if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
+        if not curves and not remarks:
+            raise InputError("The planes do not meet the object. Move the planes, or add planes.")
+        if not curves and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
                 "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in "
                 "{box}.",
                 box=FieldName("Closed"),
             )
         if not curves:
-            raise InputError(
-                sentences(remarks)
-                if remarks
-                else ("The planes do not meet the object. Move the planes, or add planes.")
-            )
+            raise InputError(sentences(remarks))
         shapes = [spline_geometry(curve.curve, curve.frame).toShape() for curve in curves]
         whole = Part.Compound(shapes)
         whole.Placement = container(obj).inverse()

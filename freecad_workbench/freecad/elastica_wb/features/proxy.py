@@ -187,22 +187,22 @@ class Feature(Unsaved):
 
     def keep_sheets(self, obj: Any) -> None:
         """Update the list of sheets. Mark the feature for recompute if the user has edited its sheet."""
-        measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
-        saved = {name: getattr(obj, name) for name in self.sheets.values()}
+        names = {*self.sheets.values(), "Thickness"} & {*obj.PropertiesList}
+        saved = {name: getattr(obj, name) for name in names}
         for name in self.sheets:
             chosen = getattr(obj, name)
             choices = list(dict.fromkeys([*sheet_list(), chosen]))
             if choices != obj.getEnumerationsOfProperty(name):
                 setattr(obj, name, choices)
                 setattr(obj, name, chosen)
-        put(obj, **{name: getattr(value, "Value", value) for name, value in (saved | measured).items()})
+        put(obj, **{name: getattr(value, "Value", value) for name, value in saved.items()})
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 old = sheet_from_text(getattr(obj, name), saved[numbers])
                 new = sheet_called(old.name, saved[numbers])
                 if new != old:
                     obj.touch()
-                if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
+                if name == "Sheet" and "Thickness" in saved and obj.Thickness.Value == old.thickness:
                     # replace the nominal thickness of the old sheet, but not a measured thickness
                     put(obj, Thickness=new.thickness)
 

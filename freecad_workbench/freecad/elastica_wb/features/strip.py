@@ -215,13 +215,13 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 
 def strip_of(obj: Any) -> Strip:
     """Return the `Strip` record of a strip feature."""
-    return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
+    return solve_strip(spec_of(obj))
 
 
 def valid_request(obj: Any) -> StripSpec | None:
     """Return the `StripSpec`, or None if properties are not valid. The strip may still be impossible."""
     try:
-        spec = spec_of(obj, drawn_curve(obj.Curve, obj))
+        spec = spec_of(obj)
     except FAILURES:
         return None
     return spec if obj.MaxWidth.Value > 0 or obj.MinWidth.Value > 0 else None
@@ -235,14 +235,13 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
     changes: list[Change] = []
     spec = None
     try:
-        spec = spec_of(obj, drawn_curve(obj.Curve, obj))
+        spec = spec_of(obj)
         strip = solve_strip(spec)
         remarks = [record for record in strip.warnings if isinstance(record, Refusal)]
         changes += (change for record in remarks for change in record.all_changes if _may_help(spec, change))
         nearest = Change("nearest", True)
-        changes += (
-            [nearest] if _may_help(spec, nearest) and any(f.curve_helps for f in strip_faults(strip)) else []
-        )
+        if any(fault.curve_helps for fault in strip_faults(strip)) and _may_help(spec, nearest):
+            changes.append(nearest)
     except FAILURES as error:
         refusal = explained(error).refusal
         changes += refusal.all_changes if spec is None else ()
@@ -307,7 +306,7 @@ def shown_nearest(obj: Any) -> NearestRod | None:
     """Return the nearest rod from which the current shape was made, or None if the drawn curve was kept."""
     if obj.MadeFrom in _shown:
         return _nearest.get(obj.MadeFrom)
-    return _nearest_of(spec_of(obj, drawn_curve(obj.Curve, obj)))
+    return _nearest_of(spec_of(obj))
 
 
 def _nearest_of(spec: StripSpec) -> NearestRod | None:

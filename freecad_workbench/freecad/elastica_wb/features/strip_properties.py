@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Any, TypeAlias, get_args
 
 import FreeCAD as App
-from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
+from freecad.elastica_wb.curves.sketch_curves import DrawnCurve, drawn_curve
 from freecad.elastica_wb.host.property_table import (
     NOTHING,
     Property,
@@ -285,14 +285,17 @@ SHEET, BACKING = "sheet", "backing"
 """Keys of the sheets in the table of a strip. The document stores the data of both sheets."""
 
 
-def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
+def spec_of(obj: Any, drawn: DrawnCurve | None = None) -> StripSpec:
     """Return the `StripSpec` that the properties define. Properties without effect are ignored.
+
+    `drawn` is the curve of the strip, if it has already been read.
 
     Raises
     ------
     InputError
         A size is far out of range: a typing error, or a wrong unit.
     """
+    drawn = drawn or drawn_curve(obj.Curve, obj)
     _refuse_slips(obj, drawn)
     sheets = {SHEET: sheet_of(obj)}
     style, nearest, weight = style_of(obj), obj.Follow == "Nearest", obj.WeightLaw.strip()

@@ -185,7 +185,10 @@ def calm(form: Any) -> None:
             widget.setFocusPolicy(QtCore.Qt.StrongFocus)
             widget.installEventFilter(keeper)
             if _is_quantity(widget):
-                _widen(widget)
+                # with limits, FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large
+                if widget.property("minimum") < 0:
+                    widget.setProperty("minimum", -LARGEST)
+                widget.setProperty("maximum", LARGEST)
             if isinstance(widget, QtWidgets.QAbstractSpinBox):
                 widget.setKeyboardTracking(False)
                 widget.setMinimumWidth(NARROWEST_PX)
@@ -229,13 +232,6 @@ def _is_emptied(widget: Any) -> bool:
 
 def _is_number_box(widget: Any) -> bool:
     return isinstance(widget, QtWidgets.QAbstractSpinBox) and not isinstance(widget, QtWidgets.QSpinBox)
-
-
-def _widen(box: Any) -> None:
-    """Remove the limits of a box. With limits, FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large."""
-    if box.property("minimum") < 0:
-        box.setProperty("minimum", -LARGEST)
-    box.setProperty("maximum", LARGEST)
 
 
 class _InputFilter(QtCore.QObject):

@@ -28,7 +28,7 @@ COMB_HEIGHT = 0.2
 LINE_MARGIN = 0.15
 
 
-Point = tuple[float, float]
+Point = Sequence[float]
 
 
 def _nothing() -> FloatArray:
@@ -119,19 +119,15 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         on_line=on_line,
         off_line=off_line,
         crossings=crossings,
-        labels=tuple((_point(mark), Length(s)) for mark, s in zip(marks, positions, strict=True)),
+        labels=tuple(zip(marks.tolist(), map(Length, positions), strict=True)),
         thrust=thrust,
         stations=tuple(
-            (_point(place), "" if k else noun_of(element.element))
+            (place.tolist(), "" if k else noun_of(element.element))
             for element, ends in zip(acting, places_of, strict=True)
             for k, place in enumerate(ends)
         ),
         cords=tuple(ends for ends in places_of if len(ends) > 1),
     )
-
-
-def _point(place: FloatArray) -> Point:
-    return float(place[0]), float(place[1])
 
 
 def comb_scale(curve: PlaneCurve) -> float:

@@ -177,8 +177,7 @@ class Changes:
     def __init__(self) -> None:
         self._pending = False
         self._pasted: list[Any] = []
-        self._called: dict[tuple[str, str], str] = {}
-        self._held: dict[tuple[str, str], set[str]] = {}
+        self._before: dict[tuple[str, str, str], Any] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
         self._undone: dict[str, tuple[dict[str, set[str]], set[str]]] = {}
         self._after_undone = later(lambda: when_free(self._recompute_undone), PAUSE_MS)
@@ -202,22 +201,21 @@ class Changes:
         """Store a label, or the members of a container, before a change."""
         if obj.Document.Restoring:
             return
-        if name == "Label":
-            self._called[obj.Document.Name, obj.Name] = obj.Label
-        elif name == "Group":
-            self._held[obj.Document.Name, obj.Name] = _names(obj.Group)
+        if name in ("Label", "Group"):
+            before = obj.Label if name == "Label" else _names(obj.Group)
+            self._before[obj.Document.Name, obj.Name, name] = before
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """Update the overlay and dependent features after a change."""
+        before = self._before.pop((obj.Document.Name, obj.Name, name), None)
         if name == "Label":
-            _rename_users(obj, self._called.pop((obj.Document.Name, obj.Name), ""))
+            _rename_users(obj, before or "")
         if obj.Document.Transacting:
             if name not in SEEN_ONLY:
                 names = self._changed.setdefault(obj.Document.Name, {})
                 names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
-            moved = self._held.pop((obj.Document.Name, obj.Name), set()) ^ _names(obj.Group)
-            _call_in_proxy("keep_containers", obj.Document, moved)
+            _call_in_proxy("keep_containers", obj.Document, (before or set()) ^ _names(obj.Group))
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
             _call_in_proxy("keep_places", obj)
         if name == "Geometry" and is_on(obj):

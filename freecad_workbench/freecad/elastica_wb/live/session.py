@@ -15,7 +15,6 @@ from freecad.elastica_wb.curves.part_shapes import plane_curve
 from freecad.elastica_wb.curves.sketch_curves import (
     AUTOMATIC,
     curve_into,
-    drawn_curve,
     drawn_in,
     gap_of,
     is_blank,
@@ -73,8 +72,6 @@ MOVES, HALVINGS = (
 )
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
-
-SEVERITY = (Verdict.NOTHING, Verdict.CAN, Verdict.BREAKS, Verdict.CANNOT)
 
 _session: "Session | None" = None
 
@@ -287,7 +284,7 @@ class Session:
             x, y = curve.sample(3).position[1].tolist()
             titles.append(((x, y), note("{number}: {words}", number=number, words=answers[-1].words)))
         self.overlay.show(*pictures, titles=titles)
-        worst = max((answer.verdict for answer in answers), key=SEVERITY.index)
+        worst = max((answer.verdict for answer in answers), key=list(Verdict).index)
         lines = [
             note("{number}: {words}", number=number, words=answer.sentence)
             for number, answer in enumerate(answers, 1)
@@ -391,7 +388,7 @@ def request_along(sketch: Any, curve: PlaneCurve, edges: tuple[str, ...] = ()) -
     spec = default_spec(curve)
     for strip in sketches.followers(sketch):
         if not edges or {*edges} & {*strip.Curve[1]}:
-            spec = spec_of(strip, drawn_curve(strip.Curve, strip))
+            spec = spec_of(strip)
     return spec
 
 

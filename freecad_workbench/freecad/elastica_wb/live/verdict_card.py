@@ -47,7 +47,7 @@ class VerdictCard(QtCore.QObject):
         self,
         view: Any,
         use_nearest: Callable[[], None],
-        enlarge: Callable[[], None] | None = None,
+        enlarge: Callable[[], None],
         layout: Any = None,
     ) -> None:
         # without a drawing widget, use the area of all views
@@ -71,8 +71,7 @@ class VerdictCard(QtCore.QObject):
             translate("Elastica", "A dragged pole returns to the last position where the strip can be made")
         )
         self.button.clicked.connect(lambda *_: use_nearest())
-        if enlarge is not None:
-            self.larger.clicked.connect(lambda *_: enlarge())
+        self.larger.clicked.connect(lambda *_: enlarge())
         inside = QtWidgets.QVBoxLayout(self.box)
         inside.setContentsMargins(0, 0, 0, 0)
         inside.setSpacing(4)

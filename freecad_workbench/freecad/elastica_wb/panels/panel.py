@@ -124,14 +124,6 @@ class Panel:
         buttons = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in buttons)
 
-    def isAllowedAlterSelection(self) -> bool:
-        """Return True: the user may select objects while the panel is open."""
-        return True
-
-    def isAllowedAlterView(self) -> bool:
-        """Return True: the user may change the view while the panel is open."""
-        return True
-
     def changed(self) -> None:
         """Compute and show the results for the current values of the widgets."""
 

@@ -79,7 +79,8 @@ class Layout:
     table : tuple of Property
         Declarations of the properties.
     applies : mapping
-        Function for each property that returns True if the property has an effect and is shown.
+        Functions that return True if a property has an effect and is shown, by property. Read-only properties
+        are never shown.
     source : str
         Property with a curve that the user can pick again, or "".
     results : callable
@@ -318,7 +319,8 @@ class PropertyPanel(Panel):
             self._show_if_used(layout.source, self.form.sourceLabel, self.form.source, self.form.pick)
 
     def _show_if_used(self, name: str, *widgets: Any) -> None:
-        used = name not in self.layout.applies or self.layout.applies[name](self.object)
+        applies = self.layout.applies.get(name)
+        used = "ReadOnly" not in self.object.getEditorMode(name) and (not applies or applies(self.object))
         for widget in widgets:
             widget.setVisible(used)
 

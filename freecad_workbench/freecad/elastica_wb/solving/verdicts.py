@@ -125,12 +125,12 @@ def pre_bend_messages(named_strips: Iterable[tuple[str, Strip]]) -> list[str]:
 
 
 class Verdict(Enum):
-    """Possible results of the check of a curve."""
+    """Possible results of the check of a curve, in order of severity."""
 
+    NOTHING = "nothing"
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    NOTHING = "nothing"
 
 
 @dataclass(frozen=True)
