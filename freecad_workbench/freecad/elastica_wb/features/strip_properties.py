@@ -416,7 +416,7 @@ def _design_table(
     single = ((path, value_of_field(obj, name_of(path), field)) for path, field in fields.items())
     for path, value in (*single, *values.items(), *further.items()):
         if value is not None:
-            put(table, path, value)
+            put(table, path, list(value) if isinstance(value, tuple) else value)
     return Table(table, "", {})
 
 
