@@ -7,6 +7,7 @@ Up to FreeCAD 1.1, a transaction belongs to the whole program. From FreeCAD 1.2,
 document.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import FreeCAD as App
@@ -17,6 +18,15 @@ from freecad.elastica_wb.recording import record_call
 def open_step(document: Any, name: str) -> None:
     """Begin an undo step by a Python line that macros record."""
     record_call(document, "openTransaction", name)
+
+
+def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
+    """Begin an undo step, and close the open sketch in it."""
+    # open the step first, because FreeCAD names a step "close the sketch" if no step is open
+    open_step(document, name)
+    close_sketch()
+    if not active_step(document):  # FreeCAD 1.2 ends the step when the sketch closes
+        open_step(document, name)
 
 
 def close_step(document: Any, *, abort: bool = False) -> None:

@@ -27,7 +27,7 @@ from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.check import CheckPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.recording import record_recompute, record_value, recorded
-from freecad.elastica_wb.undo_steps import active_step, close_step, open_step
+from freecad.elastica_wb.undo_steps import close_step, open_step, open_step_and
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.pairs.flexure import STATES
@@ -65,11 +65,7 @@ def _begin_step(name: str) -> None:
     if (sketch := edited_sketch()) is not None:
         # FreeCAD hides an open sketch, which must be visible after an undo
         sketch.Visibility = True
-    # open the step first, because FreeCAD names a step "close the sketch" if no step is open
-    open_step(App.ActiveDocument, name)
-    _close_sketch()
-    if not active_step(App.ActiveDocument):  # FreeCAD 1.2 ends the step when the sketch closes
-        open_step(App.ActiveDocument, name)
+    open_step_and(_close_sketch, App.ActiveDocument, name)
 
 
 def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.curves.part_shapes import plane_curve, report_on_edges, spline_geometry
+from freecad.elastica_wb.curves.part_shapes import is_bounded, plane_curve, report_on_edges, spline_geometry
 from freecad.elastica_wb.host.objects import is_sketch
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import why_not_made
@@ -231,6 +231,12 @@ def container(obj: Any) -> App.Placement:
     """
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
+
+
+def boxes_of(objects: Iterable[Any]) -> list[App.BoundBox]:
+    """Return the bounding boxes, in document coordinates, of the objects whose shapes are bounded."""
+    shaped = [obj for obj in objects if hasattr(obj, "Shape") and is_bounded(obj.Shape.BoundBox)]
+    return [obj.Shape.BoundBox.transformed(container(obj).toMatrix()) for obj in shaped]
 
 
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:

@@ -249,13 +249,13 @@ def added(
 ) -> Any:
     """Add a feature with these properties to the document, or to the App::Part that contains all `sources`.
 
-    A feature with a sheet gets the colour of its sheet.
+    A feature of PartDesign is added to the body of its sources. A feature with a sheet gets the sheet's colour.
     """
     obj = document.addObject(type_id, name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
     group = groups.pop() if len(groups) == 1 else None
-    if group is not None and group.TypeId == "App::Part":
+    if group is not None and (group.TypeId == "App::Part" or type_id.startswith("PartDesign::")):
         group.addObject(obj)
     dress(obj)
     if App.GuiUp and proxy.sheets:

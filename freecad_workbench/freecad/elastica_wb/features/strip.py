@@ -11,7 +11,7 @@ from weakref import WeakValueDictionary
 import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, renumbered
-from freecad.elastica_wb.features.proxy import Feature, parents
+from freecad.elastica_wb.features.proxy import Feature, added, parents
 from freecad.elastica_wb.features.strip_properties import (
     FOLLOW,
     PROPERTIES,
@@ -22,12 +22,11 @@ from freecad.elastica_wb.features.strip_properties import (
     spec_of,
 )
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
+from freecad.elastica_wb.host.objects import is_sketch, is_strip
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.words import name_of
 from freecad.elastica_wb.solving.strip_cache import (
     SEARCHING,
@@ -53,7 +52,6 @@ from elastica_cad.errors import (
     sentences,
 )
 from elastica_cad.form_finding.nearest_record import NearestRod
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -176,21 +174,17 @@ class StripFeature(Feature):
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     """Make a strip that follows a sketch or edges of an object, without recomputing the document."""
     group = sketch.getParentGeoFeatureGroup()
-    body = group is not None and group.TypeId == BODY and not group.Shape.Solids
-    obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
-    StripFeature(obj)
+    in_body = group is not None and group.TypeId == BODY and not group.Shape.Solids
+    type_id = "PartDesign::FeatureAdditivePython" if in_body else "Part::FeaturePython"
+    properties: dict[str, Any] = {
+        **dict.fromkeys(("MaxWidth", "OuterWidth"), preferences.get("MaxWidth")),
+        **dict.fromkeys(("StartTab", "EndTab"), preferences.get("TabLength")),
+    }
     # FreeCAD forbids equal labels, so the label of the sketch is used only if the user chose it
     if is_sketch(sketch) and sketch.Label != sketch.Name:
-        obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
-    if group is not None and (body or group.TypeId != BODY):
-        group.addObject(obj)
-    obj.Curve = (sketch, list(edges))
-    obj.MaxWidth = obj.OuterWidth = preferences.get("MaxWidth")
-    obj.StartTab = obj.EndTab = preferences.get("TabLength")
-    dress(obj)
-    if App.GuiUp:
-        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
-    return obj
+        properties["Label"] = f"{sketch.Label} {translate('Elastica', 'strip')}"
+    curve = (sketch, list(edges))
+    return added(document, "Strip", StripFeature, [sketch], type_id=type_id, Curve=curve, **properties)
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:

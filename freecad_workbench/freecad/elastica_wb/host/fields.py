@@ -237,7 +237,8 @@ def _is_number_box(widget: Any) -> bool:
 class _InputFilter(QtCore.QObject):
     def eventFilter(self, widget: Any, event: Any) -> bool:
         kind = kind_of(event)
-        if kind == QtCore.QEvent.KeyPress and event.text() == "." and _is_number_box(widget):
+        typed_text = event.text() if kind == QtCore.QEvent.KeyPress else ""
+        if typed_text == "." and _is_number_box(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
                 # the box would read the point as a separator of thousands, and 0.5 mm as 5 mm
@@ -247,12 +248,9 @@ class _InputFilter(QtCore.QObject):
         if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
-        is_entered = kind == QtCore.QEvent.FocusOut or (
-            kind == QtCore.QEvent.KeyPress and event.text() == "\r"
-        )
-        if is_entered and _is_emptied(widget):
+        if (kind == QtCore.QEvent.FocusOut or typed_text == "\r") and _is_emptied(widget):
             widget.setValue(widget.minimum())
-        if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
+        if typed_text not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
             # wait until the box has read the typed text
