@@ -104,8 +104,12 @@ def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
 
 def is_blank(sketch: Any) -> bool:
     """Return True if a sketch contains no geometry that could be a curve."""
-    geometry = enumerate(sketch.Geometry)
-    return all(isinstance(g, Part.Point) or sketch.getConstruction(i) for i, g in geometry)
+    return all(isinstance(sketch.Geometry[i], Part.Point) for i in _drawn_numbers(sketch))
+
+
+def _drawn_numbers(sketch: Any) -> list[int]:
+    """Return the indices of the geometry that is not construction geometry."""
+    return [i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)]
 
 
 def linked(obj: Any) -> Any:
@@ -245,7 +249,7 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
     Construction geometry stays.
     """
     # delete in a single call, because each deletion renumbers the geometry
-    sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
+    sketch.delGeometries(_drawn_numbers(sketch))
     points = ("Part::GeomCircle", "Part::GeomPoint")
     remaining = [
         i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _has_user_constraint(sketch, i)
@@ -328,7 +332,7 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 def lost_constraints(sketch: Any) -> int:
     """Return the number of the user's constraints that would be deleted with the drawn geometry."""
-    numbers = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
+    numbers = {*_drawn_numbers(sketch)}
     return sum(
         bool(numbers & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC
     )

@@ -168,14 +168,12 @@ def _cuts(obj: Any, parts: Mapping[Any, Any]) -> list[Cut]:
             for called, drawing in drawings.items()
         ]
     strip = parts[obj]
-    names = [layer.called(name) for layer in strip.layers]
-    return [
-        Cut(
-            Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity, number=strip.number),
-            strip,
-        )
-        for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
-    ]
+    cuts = []
+    for layer, plain in zip(strip.layers, strip.drawings(), strict=False):
+        drawing = replace(plain, name=layer.called(name))
+        piece = Piece(drawing.name, drawing, layer.sheet, obj.Quantity, number=strip.number)
+        cuts.append(Cut(piece, strip))
+    return cuts
 
 
 def later_features(obj: Any) -> str:

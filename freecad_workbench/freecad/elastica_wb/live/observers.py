@@ -93,20 +93,19 @@ class LaterResults:
             from freecad.elastica_wb.features.strip import show_held
 
             show_held(obj)
-            return True
-        if feature_kind(obj) == "Nest":
+        elif feature_kind(obj) == "Nest":
             from freecad.elastica_wb.features.nest import report_left_out
 
             report_left_out(obj)
-            return True
-        from freecad.elastica_wb.features.model import overlaps_sought, show_overlaps
+        else:
+            from freecad.elastica_wb.features.model import overlaps_sought, show_overlaps
 
-        future = self._sought.pop(name, None) or overlaps_sought(obj)
-        if future is not None and not future.done():
-            self._sought[name] = future
-            return False
-        if future is not None:
-            show_overlaps(obj, future.result())
+            future = self._sought.pop(name, None) or overlaps_sought(obj)
+            if future is not None and not future.done():
+                self._sought[name] = future
+                return False
+            if future is not None:
+                show_overlaps(obj, future.result())
         return True
 
 
@@ -154,7 +153,7 @@ class Edits:
     def slotInEdit(self, provider: Any) -> None:
         """Start the overlay after FreeCAD has handled this signal and drawn the points of the sketch."""
         sketch = getattr(provider, "Object", None)
-        if is_sketch(sketch) and wants_overlay(sketch):
+        if is_sketch(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
 
     def slotResetEdit(self, provider: Any) -> None:

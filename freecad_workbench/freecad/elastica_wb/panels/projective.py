@@ -16,7 +16,7 @@ from freecad.elastica_wb.curves.sketch_curves import (
 from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.curve_picture import curve_picture
-from freecad.elastica_wb.live.preview import Preview
+from freecad.elastica_wb.live.preview import Handles, Preview
 from freecad.elastica_wb.live.session import request_along
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import recorded
@@ -48,8 +48,9 @@ class ProjectivePanel(Panel):
         self.lost = lost_constraints(sketch)
         view = active_view()
         if view is not None:
-            self.preview = Preview(view, sketch.getGlobalPlacement())
-            self.preview.add_handles(self.corners, self.dragged)
+            place = sketch.getGlobalPlacement()
+            self.preview = Preview(view, place)
+            self.preview.handles = Handles(view, place, self.corners, self.dragged)
         self.watch(*FIELDS)
         self.form.reset.clicked.connect(self.reset)
         self.reset()

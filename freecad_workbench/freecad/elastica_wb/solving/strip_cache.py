@@ -189,9 +189,9 @@ def _is_within_limits(spec: RodSpec) -> bool:
         if find_rod(replace(spec, limits=None, keep=None)).ratio > ratio * (1 + STRAIN_SLACK):
             return False
         again = find_rod(spec)
+        return bool(again.met and again.deviation <= AS_DRAWN_MM)
     except ElasticaError:
         return False
-    return bool(again.met and again.deviation <= AS_DRAWN_MM)
 
 
 def judged(rod: Rod) -> Stability | None:
