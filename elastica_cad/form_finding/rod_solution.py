@@ -12,14 +12,11 @@ from elastica_cad.errors import Change, FieldName, InputError, Length, NotMetErr
 from elastica_cad.form_finding.nearest_record import NearestRod, Status
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_request, rod_of_request
-from elastica_cad.mechanics.loads import nodal_curvature
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.section_limits import sharp_bend_message
+from elastica_cad.mechanics.section_limits import sharp_bend_message, sharpest_bend
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.theorem1 import NotRealizable, crossing_notes
-
-_BEND_SAMPLES = 641
 
 
 def solve_rod(spec: RodSpec) -> Rod | NearestRod:
@@ -54,7 +51,12 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     try:
         rod = rod_of_request(replace(spec, **smoothed, known_check=spec.check, drawn=spec.curve, **bounds))
     except NotRealizable as error:
-        raise _sharp_refusal(spec, error) from None
+        # if the sheet would break, the refusal begins with the place
+        sharp = spec.sheet and sharp_bend_message(spec.sheet, *sharpest_bend(curve, spec.natural_curvature))
+        if not sharp:
+            raise
+        check = replace(error.check, reasons=(sharp, *error.check.reasons))
+        raise NotRealizable(check, [Change("size", sharp.values["times"])]) from None
     except OverloadError as error:
         raise (error if widths is None else _overload_refusal(widths, error)) from None
     return rod if widths is None else _with_widest(rod, widths)
@@ -81,20 +83,6 @@ def _with_widest(rod: Rod, widths: PlainSection) -> Rod:
         field=FieldName("max_width"), widest=Length(widest), largest=Length(widths.largest), severity="warning",
     )  # fmt: skip
     return replace(rod, warnings=(*rod.warnings, warning))
-
-
-def _sharp_refusal(spec: RodSpec, error: NotRealizable) -> NotRealizable:
-    """Return the refusal of a curve, which begins with the place where the sheet would break, if there is one."""
-    if spec.sheet is None:
-        return error
-    samples = spec.curve_to_bend.sample(_BEND_SAMPLES)
-    bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
-    most = int(bend.argmax())
-    reason = sharp_bend_message(spec.sheet, float(bend[most]), float(samples.s[most]))
-    if reason is None:
-        return error
-    check = replace(error.check, reasons=(reason, *error.check.reasons))
-    return NotRealizable(check, [Change("size", reason.values["times"])])
 
 
 def _overload_refusal(widths: PlainSection, error: OverloadError) -> InputError:

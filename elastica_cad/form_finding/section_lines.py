@@ -40,6 +40,7 @@ from elastica_cad.geometry.plane_points import (
 )
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.section_limits import sharpest_bend
 from elastica_cad.mechanics.sheets import Sheet
 
 IN_PLANE = 1e-12
@@ -524,9 +525,7 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
 
 def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:
     """Return the message on a bend that is a corner for a strip, if there is one."""
-    samples = curve.sample(SAMPLES)
-    worst = np.abs(samples.curvature).argmax()
-    kappa = abs(float(samples.curvature[worst]))
+    kappa, at = sharpest_bend(curve, 0.0)
     # a bend with a radius below a hundredth of the length counts as a corner
     if kappa * curve.length <= 100:
         return []
@@ -536,7 +535,7 @@ def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:
             "section at its corners, or smooth it",
             name=line.name,
             radius=Length(1 / kappa),
-            place=_place(line, samples.position[worst]),
+            place=_place(line, curve.at(np.array([at])).position[0]),
             changes=(AT_CORNERS,),
         )
     ]

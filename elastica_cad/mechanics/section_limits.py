@@ -9,6 +9,8 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import SEEN_APART, numbers
 from elastica_cad.errors import InputError, Length, Refusal, note, rounded_down, rounded_up
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
 
 STRAIN_SLACK = SEEN_APART
@@ -116,6 +118,18 @@ def breaking_strain(sheet: Sheet) -> float | None:
     return 1.5 * sheet.max_strain if sheet.kind in BRITTLE else None
 
 
+# number of points of a curve, so that its largest curvature is found within `STRAIN_SLACK`
+BEND_SAMPLES = 1281
+
+
+def sharpest_bend(curve: PlaneCurve, rest: NaturalCurvature) -> tuple[float, float]:
+    """Return the largest change of curvature, 1/mm, from unbent strip to curve, and its position, mm."""
+    samples = curve.sample(BEND_SAMPLES)
+    bend = np.abs(samples.curvature - nodal_curvature(rest, samples.s))
+    most = int(bend.argmax())
+    return float(bend[most]), float(samples.s[most])
+
+
 def sharp_bend_message(sheet: Sheet, bend: float, at: float) -> Refusal | None:
     """Return the message on a change of curvature `bend`, 1/mm, that the sheet does not allow `at` mm, or None."""
     judged = judge_strain(sheet, bend * sheet.thickness / 2, at)
@@ -129,6 +143,7 @@ def sharp_bend_message(sheet: Sheet, bend: float, at: float) -> Refusal | None:
         "at least {least}; {outcome}. Draw the curve {times:.2g} times as large, or use a thinner sheet.",
         s=Length(at), radius=Length(rounded_down(1 / bend, 3)), least=Length(rounded_up(judged.used / bend, 3)),
         times=rounded_up(judged.used, 2), outcome=note(judged.outcome), percent=judged.percent,
+        breaks=judged.refused,
     )  # fmt: skip
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
 from freecad.elastica_wb.solving.strip_cache import solve_strip
-from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, sentence_of, strip_answer
+from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, strip_answer
 
 from elastica_cad import NotRealizable, Perforated, PlaneCurve, Sheet, StripSpec, check_equilibrium
 
@@ -75,12 +75,12 @@ def test_the_width_lies_along_the_curve():
     s = np.linspace(0, ARCH.length, 41)
     assert np.hypot(*(left - right).T) == pytest.approx(strip.width(s), abs=1e-6)
     assert (left + right) / 2 == pytest.approx(ARCH.sample(41).position, abs=1e-9)
-    assert "20.8 to 30 mm wide" in sentence_of(strip)
+    assert "20.8 to 30 mm wide" in strip_answer(strip).sentence
 
 
 def test_an_even_width_is_reported_once():
     even = replace(picture_of(ARCH), style=Perforated(width=30.0), max_width=None)
-    assert sentence_of(solve_strip(even)).startswith(
+    assert strip_answer(solve_strip(even)).sentence.startswith(
         "A flat strip can be bent into this curve: 30 mm wide, stiffness"
     )
 

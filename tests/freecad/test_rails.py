@@ -156,7 +156,7 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
     )  # fmt: skip
     assert "rail 197 mm from the start pushes" in found["numbers"]
     assert found["listed"] == ["Rail at 197 mm"]
-    assert found["overlay"] == {"thrust": 4, "stations": 1, "on line": 2}
+    assert found["overlay"] == {"thrust": 4, "stations": 1, "on_line": 2}
     before, frames, place, (between, *_) = found["dragged"]
     assert frames >= 4, "the mark follows the mouse"
     assert place > before[0] + 5

@@ -99,7 +99,7 @@ def check_drag(found, folder):
     assert found["usable"]
     assert found["overlay at start"]["comb"] > 100
     assert found["overlay at start"]["line"] == 2
-    assert found["overlay at start"]["on line"] == 1
+    assert found["overlay at start"]["on_line"] == 1
     assert found["overlay at start"]["width"] > 100
     assert found["moves while dragging"] >= 5
     assert found["updates while dragging"] >= 5, "the overlay does not follow the mouse"

@@ -35,7 +35,7 @@ def words_of_code():
                 called = getattr(node.func, "id", getattr(node.func, "attr", ""))
                 words = [a.value for a in node.args if isinstance(a, ast.Constant)]
                 assert called != "tr", f"{path}: lupdate finds no context for it"
-                if called in ("progress", "in_background", "in_steps"):
+                if called in ("progress", "in_background"):
                     assert not words[:1], f"{path}: lupdate does not find the title {words[0]}"
                 if called in ("QT_TRANSLATE_NOOP", "translate") and len(words) == len(node.args) == 2:
                     yield tuple(words)

@@ -102,7 +102,7 @@ def test_a_curve_that_cannot_be_bent_is_a_state_and_passes(document, sketch, spl
     assert "Invalid" in feature.State
     assert "crosses the curve" in feature.getStatusString()
     assert feature.Verdict == "A flat strip cannot take this curve."
-    assert feature.Reasons[0].startswith("The strip would break 41.4 mm from the start")
+    assert feature.Reasons[0].startswith("The strip would break 41.2 mm from the start")
     assert "crosses the curve" in feature.Reasons[1]
     assert feature.Shape.Volume == volume
     assert not feature.Visibility

@@ -12,12 +12,13 @@ from freecad.elastica_wb.cutting_files import cutting_of
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.live.curve_picture import curve_picture
-from freecad.elastica_wb.solving.strip_cache import find_nearest_now, sharpest_bend, solve_strip
+from freecad.elastica_wb.solving.strip_cache import find_nearest_now, solve_strip
 from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, strip_answer, strip_faults
 
 from elastica_cad import ElasticaError, Limits, PlaneCurve, Sheet, StripSpec, save
 from elastica_cad.errors import StrainError
 from elastica_cad.form_finding.rod_spec import RodSpec
+from elastica_cad.mechanics.section_limits import sharpest_bend
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

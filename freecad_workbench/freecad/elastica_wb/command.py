@@ -46,18 +46,21 @@ class Command:
     run: Callable[[], None]
     has_subject: Callable[[], bool] = has_document
     shortcut: str = ""
-    in_sketch: bool = False
+    in_sketch: bool = True
     checkable: bool = False
 
     def GetResources(self) -> dict[str, str | bool]:
         """Return the icon, texts and shortcut of the command."""
-        resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
-        resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
-        if self.in_sketch:
-            # while a sketch is open, FreeCAD enables only commands of this type
-            resources["CmdType"] = "ForEdit"
-        if self.shortcut:
-            resources["Accel"] = self.shortcut
+        resources = {
+            "Pixmap": icon(self.name),
+            "MenuText": self.text,
+            "ToolTip": self.tip,
+            "WhatsThis": self.name,
+            "StatusTip": self.tip,
+            "Accel": self.shortcut,
+            # while a sketch is open, FreeCAD enables only commands of the type "ForEdit"
+            "CmdType": "ForEdit" if self.in_sketch else "",
+        }
         # in FreeCAD, the value of "Checkable" is the initial check mark
         return resources | ({"Checkable": False} if self.checkable else {})
 
@@ -103,7 +106,6 @@ LIVE = Command(
     run=_switch_overlay,
     has_subject=sketches.is_sketch_open,
     shortcut="Y, L",
-    in_sketch=True,
     checkable=True,
 )
 

@@ -24,7 +24,6 @@ from freecad.elastica_wb.features.flexure import solids_of as flexure_solids
 from freecad.elastica_wb.features.model import model_of, solids_of
 from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_features
 from freecad.elastica_wb.features.strip import strip_of
-from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import is_flexure, is_model, is_plate
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.host.resources import translate
@@ -61,16 +60,6 @@ KINDS = ("dxf", "svg", "step", "csv", "nest")
 def cutting_of(*, version: str = "R2010", **options: Any) -> Cutting:
     """Return the options of cutting files. Without ezdxf, the DXF version is R12."""
     return Cutting(version=version if find_spec("ezdxf") else "R12", **options)
-
-
-def usual_cutting() -> Cutting:
-    """Return the options of cutting files from the preferences."""
-    return cutting_of(
-        kerf=preferences.get("Kerf"),
-        curves=preferences.get("Curves"),
-        tolerance=preferences.get("Tolerance"),
-        version=preferences.get("DxfVersion"),
-    )
 
 
 def write_cutting_files(

@@ -18,10 +18,10 @@ MADE = "elastica_made"
 
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     """Call a function by a Python line that macros record, and return its result."""
-    modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
     # Gui.addModule does not record modules that are already loaded
-    for module in modules:
-        Gui.doCommand(f"import {module}")
+    Gui.doCommand(f"import {make.__module__}")
+    if any(isinstance(argument, PlaneCurve) for argument in arguments):
+        Gui.doCommand("import elastica_cad")
     arguments_text = [
         *map(_expression, arguments),
         *(f"{name}={_expression(value)}" for name, value in options.items()),
@@ -50,7 +50,7 @@ def _expression(value: Any) -> str:
         return "App.ActiveDocument" if value is App.ActiveDocument else f"App.getDocument({value.Name!r})"
     if isinstance(value, App.DocumentObject):
         return f"{_expression(value.Document)}.getObject({value.Name!r})"
-    if _is_curve(value):
+    if isinstance(value, PlaneCurve):
         weights = None if value.weights is None else value.weights.tolist()
         numbers = (value.knots.tolist(), value.control_points.tolist(), value.degree, weights)
         return f"elastica_cad.PlaneCurve{numbers!r}"
@@ -59,7 +59,3 @@ def _expression(value: Any) -> str:
     if isinstance(value, tuple):
         return f"({''.join(f'{_expression(item)}, ' for item in value)})"
     return repr(value)
-
-
-def _is_curve(value: Any) -> bool:
-    return isinstance(value, PlaneCurve)

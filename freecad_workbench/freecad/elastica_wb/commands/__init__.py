@@ -42,7 +42,6 @@ DRAW = (
         run=between_clamps.switch,
         has_subject=is_sketch_open,
         shortcut="Y, E",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Check",
@@ -54,7 +53,6 @@ DRAW = (
         run=actions.check,
         has_subject=actions.has_curve,
         shortcut="Y, C",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Nearest",
@@ -65,7 +63,6 @@ DRAW = (
         run=actions.make_nearest,
         has_subject=actions.has_curve,
         shortcut="Y, N",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Projective",
@@ -77,7 +74,6 @@ DRAW = (
         run=partial(open_on, ProjectivePanel, chosen_sketch),
         has_subject=actions.has_curve,
         shortcut="Y, P",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Section",
@@ -88,6 +84,7 @@ DRAW = (
         ),
         run=actions.make_sections,
         has_subject=partial(answers, actions.bodies_and_path),
+        in_sketch=False,
     ),
 )
 STRIPS = (
@@ -101,7 +98,6 @@ STRIPS = (
         run=actions.make_strips,
         has_subject=actions.has_curve,
         shortcut="Y, S",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Edit",
@@ -111,7 +107,6 @@ STRIPS = (
         ),
         run=actions.edit_strips,
         has_subject=HAS_STRIP,
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Perforate",
@@ -122,7 +117,6 @@ STRIPS = (
         ),
         run=actions.perforate,
         has_subject=HAS_STRIP,
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Laminate",
@@ -133,7 +127,6 @@ STRIPS = (
         ),
         run=actions.laminate,
         has_subject=HAS_STRIP,
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Flat",
@@ -144,7 +137,6 @@ STRIPS = (
         ),
         run=actions.make_flat_parts,
         has_subject=HAS_STRIP,
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Outline",
@@ -155,7 +147,6 @@ STRIPS = (
         ),
         run=partial(actions.make_flat_parts, OUTLINE),
         has_subject=HAS_STRIP,
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Rails",
@@ -167,7 +158,6 @@ STRIPS = (
         run=partial(open_on, RailsPanel, chosen_strip),
         has_subject=HAS_STRIP,
         shortcut="Y, R",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Flexure",
@@ -179,7 +169,6 @@ STRIPS = (
         run=actions.make_flexure,
         has_subject=actions.has_curve,
         shortcut="Y, T",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Bend",
@@ -191,7 +180,6 @@ STRIPS = (
         run=partial(open_on, BendPanel, chosen_strip),
         has_subject=HAS_STRIP,
         shortcut="Y, B",
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Tolerance",
@@ -202,7 +190,6 @@ STRIPS = (
         ),
         run=partial(open_on, TolerancePanel, chosen_strip),
         has_subject=HAS_STRIP,
-        in_sketch=True,
     ),
 )
 MODELS = (
@@ -215,6 +202,7 @@ MODELS = (
         run=actions.make_model,
         has_subject=partial(answers, chosen_strips, least=2),
         shortcut="Y, I",
+        in_sketch=False,
     ),
     Command(
         name="Elastica_Fixtures",
@@ -225,6 +213,7 @@ MODELS = (
         ),
         run=partial(open_on, FixturesPanel, chosen_sources),
         has_subject=HAS_PARTS,
+        in_sketch=False,
     ),
     Command(
         name="Elastica_Nest",
@@ -235,6 +224,7 @@ MODELS = (
         ),
         run=actions.make_nest,
         has_subject=HAS_PARTS,
+        in_sketch=False,
     ),
     Command(
         name="Elastica_Export",
@@ -246,7 +236,6 @@ MODELS = (
         run=partial(open_on, ExportPanel, chosen_sources),
         has_subject=HAS_PARTS,
         shortcut="Y, X",
-        in_sketch=True,
     ),
 )
 WORKSHOP = (
@@ -257,7 +246,6 @@ WORKSHOP = (
             "Elastica_Sheets", "Show the known sheets with their sources, and store your own sheets"
         ),
         run=partial(show_panel, SheetsPanel),
-        in_sketch=True,
     ),
     Command(
         name="Elastica_Coupon",
@@ -267,6 +255,7 @@ WORKSHOP = (
             "Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own",
         ),
         run=partial(show_panel, CouponPanel),
+        in_sketch=False,
     ),
 )
 EXAMPLE = Command(
@@ -278,6 +267,7 @@ EXAMPLE = Command(
     ),
     run=open_example,
     has_subject=lambda: True,
+    in_sketch=False,
 )
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)

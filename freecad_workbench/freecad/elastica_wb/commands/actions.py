@@ -209,18 +209,14 @@ def make_model() -> None:
 
 
 def make_nest() -> None:
-    """Arrange all parts on sheets in one undo step, which an error undoes."""
+    """Arrange all parts on sheets in one undo step."""
     document, sources = App.ActiveDocument, chosen_sources()
     failed = [message for message in map(why_not_made, sources) if message]
     if failed:
         raise InputError("; ".join(failed))
     open_step(document, "Nest on sheets")
-    try:
-        feature = recorded(nest.create, document, sources)
-        record_recompute(document)
-    except BaseException:
-        close_step(document, abort=True)
-        raise
+    feature = recorded(nest.create, document, sources)
+    record_recompute(document)
     close_step(document)
     # keep the undo step, because the parts may fit on larger sheets
     if "Invalid" in feature.State:

@@ -180,11 +180,11 @@ def chosen_sources() -> list[Any]:
 
 def _sources(objects: Iterable[Any]) -> list[Any]:
     meant = dict.fromkeys(filter(None, map(cut_for, objects)))
-    return not_repeated(obj for obj in meant if any(_may_be_cut(original) for original in originals(obj)))
-
-
-def _may_be_cut(obj: Any) -> bool:
-    return is_cut(cut_for(obj)) or is_broken_link(obj)
+    return not_repeated(
+        obj
+        for obj in meant
+        if any(is_cut(cut_for(original)) or is_broken_link(original) for original in originals(obj))
+    )
 
 
 def _all_sources() -> list[Any]:

@@ -29,6 +29,9 @@ PATTERNS = tuple(
 COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
 """Built-in types of FreeCAD that display copies of other objects."""
 
+MEMBERS = {"App::LinkGroup": "ElementList", COMPOUND: "Links"}
+"""Names of the properties with the members of groups, by type."""
+
 SAME = App.Vector(1, 1, 1)
 AXES = (App.Vector(1, 0, 0), App.Vector(0, 1, 0), App.Vector(0, 0, 1))
 TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
@@ -145,14 +148,12 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
         inside = _inside(obj)
         single = not_repeated(part for part, _ in inside)
         return [(part, where) for part, where in inside if part in single]
-    if _is_draft(obj, "Clone"):
-        if len(obj.Objects) == 1:  # a clone of a single object ignores the placement of the original
-            return [(obj.Objects[0], App.Placement())]
-        return [(part, _placement_of(part)) for part in obj.Objects]
-    if obj.TypeId == "App::LinkGroup":
-        return [(part, _placement_of(part)) for part in obj.ElementList]
-    if obj.TypeId == COMPOUND:
-        return [(part, _placement_of(part)) for part in obj.Links]
+    is_clone = _is_draft(obj, "Clone")
+    if is_clone and len(obj.Objects) == 1:  # such a clone ignores the placement of the original
+        return [(obj.Objects[0], App.Placement())]
+    members = "Objects" if is_clone else MEMBERS.get(obj.TypeId)
+    if members is not None:
+        return [(part, _placement_of(part)) for part in getattr(obj, members)]
     if obj.TypeId == BASE:
         return [(obj.BaseFeature, App.Placement())] if obj.BaseFeature else None
     is_array = _is_draft(obj, "Array")

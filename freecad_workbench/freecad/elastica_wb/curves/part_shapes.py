@@ -51,17 +51,14 @@ def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSpli
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Part.Face:
     """Make a plane face with holes."""
     frame = frame or Frame()
-    return _read(face_brep(outline, holes, frame, _plane_of(frame))).Faces[0]
-
-
-def _plane_of(frame: Frame) -> Frame:
-    """Return the plane with the axes that OpenCASCADE would choose, which give the most accurate areas."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
-    return Frame(frame.origin, about.x_axis, about.y_axis)
+    plane = Frame(frame.origin, about.x_axis, about.y_axis)
+    return _read(face_brep(outline, holes, frame, plane)).Faces[0]
 
 
 @lru_cache(maxsize=16)
 def _frame_about(normal: tuple[float, float, float]) -> Frame:
+    """Return a plane with the axes that OpenCASCADE would choose, which give the most accurate areas."""
     turn = Part.Plane(App.Vector(), App.Vector(*normal)).Rotation
     x, y = (tuple(turn.multVec(App.Vector(*axis))) for axis in ((1, 0, 0), (0, 1, 0)))
     return Frame(x_axis=x, y_axis=y)

@@ -86,39 +86,36 @@ class Family:
                 "the cutting planes are not defined: choose their kind, an axis (X, Y or Z) and at least 1 plane"
             )
         axis, middle = AXES[self.axis], np.array(tuple(box.Center))
+        fractions = (np.arange(self.count) + 0.5) / self.count
         if self.kind == "parallel":
             low, high = (getattr(box, f"{self.axis}{side}") for side in ("Min", "Max"))
-            places = low + (high - low) * (np.arange(self.count) + 0.5) / self.count
+            places = low + (high - low) * fractions
             up = (0.0, 1.0, 0.0) if self.axis == "Z" else (0.0, 0.0, 1.0)
             frames = parallel_planes((0.0, 0.0, 0.0), axis, places, up=up)
-            return [
-                (note("{axis} = {place}", axis=self.axis, place=Length(v)), frame)
-                for v, frame in zip(places, frames, strict=True)
-            ]
-        if self.half:
+            names = [note("{axis} = {place}", axis=self.axis, place=Length(v)) for v in places]
+        elif self.half:
             whole = self.sweep >= 360
             turns = np.linspace(0.0, self.sweep, self.count, endpoint=not whole)
             point = middle if self.through is None else self.through
             zero = (0.0, 1.0, 0.0) if self.axis == "X" else (1.0, 0.0, 0.0)
             frames = radial_planes(point, axis, np.radians(turns), zero=zero)
-            return [(f"{v:.4g}°", frame) for v, frame in zip(turns, frames, strict=True)]
-        if self.path is None:
+            names = [f"{v:.4g}°" for v in turns]
+        elif self.path is None:
             raise InputError(
                 "the path is missing: choose a sketch or a wire that is perpendicular to the planes"
             )
-        along = np.abs(self.path[-1] - self.path[0])
-        up = (0.0, 1.0, 0.0) if along[2] > 0.9 * np.linalg.norm(along) else (0.0, 0.0, 1.0)
-        frames = planes_along(self.path, self.count, up=up)
-        length = float(np.linalg.norm(np.diff(self.path, axis=0), axis=1).sum())
-        places = length * (np.arange(self.count) + 0.5) / self.count
-        return [
-            (note("{s} along the path", s=Length(v)), frame) for v, frame in zip(places, frames, strict=True)
-        ]
+        else:
+            along = np.abs(self.path[-1] - self.path[0])
+            up = (0.0, 1.0, 0.0) if along[2] > 0.9 * np.linalg.norm(along) else (0.0, 0.0, 1.0)
+            frames = planes_along(self.path, self.count, up=up)
+            length = float(np.linalg.norm(np.diff(self.path, axis=0), axis=1).sum())
+            names = [note("{s} along the path", s=Length(v)) for v in length * fractions]
+        return list(zip(names, frames, strict=True))
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
     """Return the objects with faces or triangles, except datum planes."""
-    bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
+    bodies = [obj for obj in objects if _has_faces(obj)]
     if not bodies:
         raise InputError("nothing to cut is selected: select a body, a surface or a mesh")
     return bodies
@@ -245,18 +242,15 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
     source = _mesh_object(obj)
     if source is None:
         return None
-    vertices, faces = _arrays(source.Document.Name, source.Name, *_fingerprint(source))
+    mesh, placement = source.Mesh, source.Placement.toMatrix().A
+    fingerprint = mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *placement
+    vertices, faces = _arrays(source.Document.Name, source.Name, *fingerprint)
     place = container(obj) * obj.Placement
     if source is not obj and getattr(obj, "LinkTransform", False):
         place = place * source.Placement
     matrix = (place * source.Placement.inverse()).toMatrix()
     rows = np.array(matrix.A, dtype=float).reshape(4, 4)
     return vertices @ rows[:3, :3].T + rows[:3, 3], faces
-
-
-def _fingerprint(source: Any) -> tuple[float, ...]:
-    mesh = source.Mesh
-    return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
 
 
 @lru_cache(maxsize=4)
@@ -276,13 +270,10 @@ def _mesh_object(obj: Any) -> Any:
     return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
 
 
-def _has_triangles(obj: Any) -> bool:
-    source = _mesh_object(obj)
-    return source is not None and source.Mesh.CountFacets > 0
-
-
 def _has_faces(obj: Any) -> bool:
-    shape = _shape(obj)
+    source, shape = _mesh_object(obj), _shape(obj)
+    if source is not None and source.Mesh.CountFacets > 0:
+        return True
     return bool(shape.Faces) and is_bounded(shape.BoundBox)  # a datum plane has an infinite face
 
 

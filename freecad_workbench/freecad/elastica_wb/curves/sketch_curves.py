@@ -10,12 +10,13 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
-from freecad.elastica_wb.curves.part_shapes import plane_curve, report_on_edges, spline_geometry
+from freecad.elastica_wb.curves.part_shapes import is_bounded, plane_curve, report_on_edges, spline_geometry
 from freecad.elastica_wb.host.objects import is_sketch
+from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import why_not_made
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import FieldName, InputError, note
+from elastica_cad.errors import FieldName, InputError, Length, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 
@@ -23,6 +24,8 @@ MOST_DRAGGED = 24
 """Largest number of poles that can be dragged. With more poles, the solver of FreeCAD 1.1 moves the curve."""
 
 LINK = "App::Link"
+
+EDGE_NUMBERS = 7
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +104,12 @@ def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
 
 def is_blank(sketch: Any) -> bool:
     """Return True if a sketch contains no geometry that could be a curve."""
-    geometry = enumerate(sketch.Geometry)
-    return all(isinstance(g, Part.Point) or sketch.getConstruction(i) for i, g in geometry)
+    return all(isinstance(sketch.Geometry[i], Part.Point) for i in _drawn_numbers(sketch))
+
+
+def _drawn_numbers(sketch: Any) -> list[int]:
+    """Return the indices of the geometry that is not construction geometry."""
+    return [i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)]
 
 
 def linked(obj: Any) -> Any:
@@ -156,11 +163,29 @@ def edge_called(source: Any, name: str) -> Any:
     return element
 
 
-def edge_marks(shape: Any, names: Iterable[str] = ()) -> list[tuple[float, ...]]:
-    """Return length and ends, mm, of each edge of a shape, or of the edges with these names."""
-    edges = [shape.getElement(name) for name in names] if names else shape.Edges
+def renumbered(obj: Any) -> list[str]:
+    """Return a remark if other edges got the names of the chosen edges, as FreeCAD 0.20 numbers edges.
+
+    The chosen edges still exist then. Otherwise the edges have changed, and their new form is stored.
+    """
+    source, names = obj.Curve
+    now = _numbers_of(edge_called(source, name) for name in names if name and "." not in name)
+    chosen = np.reshape(obj.ChosenEdges, (-1, EDGE_NUMBERS)).tolist()
+    every = _numbers_of(Part.getShape(source).Edges)
+    if chosen and sorted(now) != sorted(chosen) and all(numbers in every for numbers in chosen):
+        before, after = (Length(sum(length for length, *_ in edges)) for edges in (chosen, now))
+        return [note(
+            "The curve is another edge than before: {before:.4g} -> {now:.4g}. Choose the curve again.",
+            before=before, now=after,
+        )]  # fmt: skip
+    put(obj, ChosenEdges=[number for numbers in now for number in numbers])
+    return []
+
+
+def _numbers_of(edges: Iterable[Any]) -> list[list[float]]:
+    """Return `EDGE_NUMBERS` numbers for each edge: its length and the coordinates of its ends, mm."""
     ends = [(edge, *map(edge.valueAt, edge.ParameterRange)) for edge in edges]
-    return [tuple(round(x, 6) for x in (edge.Length, *first, *last)) for edge, first, last in ends]
+    return [[round(x, 6) for x in (edge.Length, *first, *last)] for edge, first, last in ends]
 
 
 def frame_of(placement: App.Placement) -> Frame:
@@ -212,13 +237,19 @@ def container(obj: Any) -> App.Placement:
     return App.Placement() if group is None else group.getGlobalPlacement()
 
 
+def boxes_of(objects: Iterable[Any]) -> list[App.BoundBox]:
+    """Return the bounding boxes, in document coordinates, of the objects whose shapes are bounded."""
+    shaped = [obj for obj in objects if hasattr(obj, "Shape") and is_bounded(obj.Shape.BoundBox)]
+    return [obj.Shape.BoundBox.transformed(container(obj).toMatrix()) for obj in shaped]
+
+
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:
     """Replace the curves of a sketch by a spline, with visible poles if they can be dragged.
 
     Construction geometry stays.
     """
     # delete in a single call, because each deletion renumbers the geometry
-    sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
+    sketch.delGeometries(_drawn_numbers(sketch))
     points = ("Part::GeomCircle", "Part::GeomPoint")
     remaining = [
         i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _has_user_constraint(sketch, i)
@@ -301,7 +332,7 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 def lost_constraints(sketch: Any) -> int:
     """Return the number of the user's constraints that would be deleted with the drawn geometry."""
-    numbers = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
+    numbers = {*_drawn_numbers(sketch)}
     return sum(
         bool(numbers & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC
     )

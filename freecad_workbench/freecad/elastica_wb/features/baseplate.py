@@ -5,19 +5,17 @@
 
 from typing import Any, ClassVar
 
-import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, frame_of
 from freecad.elastica_wb.features.fixtures import report_holders, source_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
-from freecad.elastica_wb.host.objects import is_rings
+from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.property_table import NOTHING, Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plate_pairs import end_plates
@@ -104,24 +102,18 @@ class RingsFeature(Feature):
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make a base plate for a model or for strips, without recomputing the document."""
-    return _with_color_of_sheet(added(document, "BasePlate", BasePlateFeature, sources, Sources=sources))
+    return added(document, "BasePlate", BasePlateFeature, sources, Sources=sources)
 
 
 def create_rings(document: Any, sources: list[Any]) -> Any:
     """Make rings for the ends of a model or of strips, without recomputing the document."""
-    return _with_color_of_sheet(added(document, "Rings", RingsFeature, sources, Sources=sources))
-
-
-def _with_color_of_sheet(obj: Any) -> Any:
-    if App.GuiUp:
-        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
-    return obj
+    return added(document, "Rings", RingsFeature, sources, Sources=sources)
 
 
 def plates_of(obj: Any) -> tuple[BasePlate | Rib, ...]:
     """Return the records of the plates that a base plate or rings show, and of their spacers."""
     model, sheet = source_model(obj.Sources), sheet_called(obj.Sheet, obj.SheetData)
-    if is_rings(obj):
+    if feature_kind(obj) == "Rings":
         ends = ENDS if obj.Ends == HELD_ENDS[0] else (obj.Ends,)
         options = {**values_of(obj, RING_SIZES), "holes": _holes(obj, HOLE_SIZES), "name": obj.Label}
         plates = end_plates(model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, **options)

@@ -20,16 +20,16 @@ from freecad.elastica_wb.curves.plane_sections import (
     path_points,
     section_sketches,
 )
-from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve
+from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve, renumbered
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.features.strip_properties import NEAREST, nearest_spec_of
 from freecad.elastica_wb.host.objects import is_sketch, is_strip
-from freecad.elastica_wb.host.progress import progress
+from freecad.elastica_wb.host.progress import in_background, progress
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report
-from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
+from freecad.elastica_wb.solving.strip_cache import SEARCHING, find_nearest_now, nearest_to_drag
 
 from elastica_cad.errors import FieldName, InputError, Listed, note, sentences
 from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
@@ -51,7 +51,7 @@ class NearestFeature(Feature):
     def make(self, obj: Any) -> None:
         """Set the shape to the nearest curve."""
         curve = drawn_curve(obj.Curve, obj)
-        near = find_nearest_to_draw(nearest_spec_of(obj, curve))
+        near = in_background(SEARCHING, find_nearest_now, nearest_spec_of(obj, curve))
         obj.Shape = spline_geometry(near.curve).toShape()
         obj.Placement = curve.placement
         limits = Listed(
@@ -59,6 +59,7 @@ class NearestFeature(Feature):
             for b in near.binding[:3]
         )
         reports = [
+            *renumbered(obj),
             note(near.status.value),
             *([note("These limits prevent a nearer curve: {limits}.", limits=limits)] if limits else []),
         ]
@@ -124,18 +125,16 @@ class SectionFeature(Feature):
         """Set the shape to the smoothed sections of the sources."""
         sections, remarks = _cut_sources(obj)
         curves = [curve for _, body_curves in sections for curve in body_curves]
-        if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
+        if not curves and not remarks:
+            raise InputError("The planes do not meet the object. Move the planes, or add planes.")
+        if not curves and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
                 "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in "
                 "{box}.",
                 box=FieldName("Closed"),
             )
         if not curves:
-            raise InputError(
-                sentences(remarks)
-                if remarks
-                else ("The planes do not meet the object. Move the planes, or add planes.")
-            )
+            raise InputError(sentences(remarks))
         shapes = [spline_geometry(curve.curve, curve.frame).toShape() for curve in curves]
         whole = Part.Compound(shapes)
         whole.Placement = container(obj).inverse()
@@ -237,7 +236,8 @@ def section_sketches_of(obj: Any) -> None:
 
 
 def _curve_to_drag(obj: Any) -> PlaneCurve:
-    found = find_nearest_to_drag(nearest_spec_of(obj, drawn_curve(obj.Curve, obj)))
+    spec = nearest_spec_of(obj, drawn_curve(obj.Curve, obj))
+    found = in_background(SEARCHING, nearest_to_drag, spec)
     if found.cost:
         report(found.cost, obj.Label)
     return found.curve

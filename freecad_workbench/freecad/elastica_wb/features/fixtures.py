@@ -15,7 +15,7 @@ from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.objects import feature_kind
-from freecad.elastica_wb.host.progress import in_steps
+from freecad.elastica_wb.host.progress import go_on, progress
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.solving.strip_cache import remembered
@@ -49,10 +49,13 @@ class FixturesFeature(Feature):
         if not blocks:
             raise InputError("The strips have no tabs to hold. Add tabs to the strips.")
         inner = container(obj).inverse()
-        block_shapes = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), blocks, block_shape)
-        shapes = [block.copy(False) for block in block_shapes]
-        for block in shapes:
-            block.Placement = inner * block.Placement
+        shapes = []
+        with progress(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), len(blocks)) as step:
+            for done, block in enumerate(blocks):
+                go_on(step, done, "recompute to try again")
+                shape = block_shape(block).copy(False)
+                shape.Placement = inner * shape.Placement
+                shapes.append(shape)
         obj.Shape = Part.Compound(shapes)
         report_holders(obj, model, sorted(blocks, key=lambda block: -abs(block.lean[1])))
 

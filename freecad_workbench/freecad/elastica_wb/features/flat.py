@@ -18,7 +18,6 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.solving.strip_cache import engraved_shape
 
 from elastica_cad.errors import FieldName, InputError
-from elastica_cad.strip.strip import Strip
 
 # distance, mm, between the curve and the flat part
 GAP_MM = 10.0
@@ -53,7 +52,16 @@ class FlatFeature(Feature):
         """Set the shape to the flat strip with its engraved text, or to the face inside its outline."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in {box}.", box=FieldName("Strip"))
-        strip = _strip_with_slots(obj)
+        if obj.Model is None:
+            strip = shown_strip(obj.Strip)
+        elif is_model(obj.Model) and obj.Strip in obj.Model.Strips:
+            strip = shown_model(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
+        else:
+            raise InputError(
+                "{strip} does not belong to {model}. Choose the strip's model, or no model.",
+                strip=obj.Strip.Label,
+                model=obj.Model.Label,
+            )
         layer = LAYERS.index(obj.Layer)
         if layer >= len(strip.layers):
             raise InputError(
@@ -89,18 +97,6 @@ def missing_layers(strip: Any, type_id: str = PART) -> list[str]:
     """Return the layers of a strip that have no flat part, or no outline."""
     present = {part.Layer for part in flats_of([strip]) if part.TypeId == type_id}
     return [layer for layer in layers_of(strip) if layer not in present]
-
-
-def _strip_with_slots(obj: Any) -> Strip:
-    if obj.Model is None:
-        return shown_strip(obj.Strip)
-    if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
-        raise InputError(
-            "{strip} does not belong to {model}. Choose the strip's model, or no model.",
-            strip=obj.Strip.Label,
-            model=obj.Model.Label,
-        )
-    return shown_model(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
 
 
 def _free_placement(strip: Any) -> App.Placement:

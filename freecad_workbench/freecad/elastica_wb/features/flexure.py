@@ -3,14 +3,12 @@
 
 """Two-state parts, with two drawn curves as rest shapes, and their holders as parametric objects."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, renumbered
 from freecad.elastica_wb.features.proxy import Feature, added
 from freecad.elastica_wb.features.strip_properties import SHEET_PROPERTIES, sheet_of, value_of_field
 from freecad.elastica_wb.host.progress import in_background
@@ -27,11 +25,9 @@ from elastica_cad.errors import ElasticaError, note
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import box_about
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.pairs.flexure import CentreLine, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
-from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.flat_pattern import in_short_pieces
 from elastica_cad.strip.solids import FlatSolid
 
@@ -115,7 +111,7 @@ class FlexureFeature(Feature):
                 if not part.pair.bistable
                 else note("This part does not rest in both curves.")
             ),
-            Reasons=list(part.warnings),
+            Reasons=[*renumbered(obj), *part.warnings],
             Bistable=part.bistable,
             LargestForce=travel.largest_force,
             SnapTravel=(travel.snap or 0.0) if part.pair.bistable else 0.0,
@@ -139,12 +135,8 @@ def create(
     """Make a two-state part from two curves, without recomputing the document."""
     curves = {"Curve": (first, list(first_edges)), "SecondCurve": (second, list(second_edges))}
     label = f"{first.Label} {translate('Elastica', 'two states')}"
-    obj = added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves)
-    if USUAL_SHEET in sheet_list():
-        obj.Sheet = USUAL_SHEET
-    if App.GuiUp:
-        obj.ViewObject.ShapeColor = sheet_color(sheet_of(obj))
-    return obj
+    usual = {"Sheet": USUAL_SHEET} if USUAL_SHEET in sheet_list() else {}
+    return added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves, **usual)
 
 
 def spec_of(obj: Any) -> FlexureSpec:
@@ -201,12 +193,6 @@ def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]
         )
     )
     return list(solids.items()) if form == FORMS[0] else [(form, solids[form])]
-
-
-def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
-    """Yield the names and drawings of the part and of its holder."""
-    yield name, part.drawing()
-    yield f"{name} {translate('Elastica', 'holder')}", part.holder()
 
 
 def _bent(part: Flexure, line: CentreLine) -> FlatSolid:

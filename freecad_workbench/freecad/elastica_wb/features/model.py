@@ -3,7 +3,7 @@
 
 """The model as a parametric object: several strips at their positions, with slots where they cross."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import Future
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -121,12 +121,8 @@ def model_of(obj: Any, *, as_displayed: bool = False) -> Model:
 
 def overlaps_of(obj: Any) -> list[str]:
     """Return a message for each pair of strips in a model that intersect without a slot."""
-    return _worded(
-        in_background(
-            QT_TRANSLATE_NOOP("Elastica", "Looking for strips that meet"),
-            _search_overlaps(model_of(obj)).result,
-        )
-    )
+    looking = QT_TRANSLATE_NOOP("Elastica", "Looking for strips that meet")
+    return list(map(worded, in_background(looking, _search_overlaps(model_of(obj)).result)))
 
 
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
@@ -142,7 +138,7 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
 
 def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     """Write messages on intersecting strips of a model into its results."""
-    messages = _worded(overlaps)
+    messages = list(map(worded, overlaps))
     if messages and obj.Overlaps != messages:
         report_warning(" ".join(messages), obj.Label)
     put(obj, Overlaps=list(dict.fromkeys(overlaps)))
@@ -152,10 +148,6 @@ def _search_overlaps(model: Model) -> "Future[tuple[str, ...]]":
     if model not in _overlaps:
         _overlaps[model] = begun(missing_slots, model.placed, model.joints)
     return _overlaps[model]
-
-
-def _worded(sentences: Iterable[str]) -> list[str]:
-    return [worded(sentence) for sentence in sentences]
 
 
 def solids_of(model: Model, place: App.Placement) -> list[Any]:

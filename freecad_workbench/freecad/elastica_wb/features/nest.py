@@ -3,13 +3,12 @@
 
 """The nest as a parametric object: all pieces of a document, arranged on sheets."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD as App
 import Part
-from freecad.elastica_wb.curves.part_shapes import is_bounded, make_wire
-from freecad.elastica_wb.curves.sketch_curves import container
+from freecad.elastica_wb.curves.part_shapes import make_wire
+from freecad.elastica_wb.curves.sketch_curves import boxes_of
 from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, pre_bend_messages_of
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.host.property_table import Property, put, result
@@ -77,14 +76,7 @@ def report_left_out(obj: Any) -> None:
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make a nest in front of all objects, without recomputing the document."""
-    lowest = min((box.YMin for box in _boxes(document)), default=0.0)
+    lowest = min((box.YMin for box in boxes_of(document.Objects)), default=0.0)
     obj = added(document, "Nest", NestFeature, Sources=sources)
     obj.Placement.Base.y = lowest - obj.SheetHeight.Value - SPACE_MM
     return obj
-
-
-def _boxes(document: Any) -> Iterator[App.BoundBox]:
-    for obj in document.Objects:
-        box = obj.Shape.BoundBox if hasattr(obj, "Shape") else App.BoundBox()
-        if is_bounded(box):
-            yield box.transformed(container(obj).toMatrix())

@@ -14,12 +14,13 @@ from typing import Any
 
 from freecad.elastica_wb.curves.copies import BASE, COMPOUND, PATTERNS, not_repeated
 from freecad.elastica_wb.features.baseplate import plates_of
-from freecad.elastica_wb.features.flexure import drawings_of, flexure_of
+from freecad.elastica_wb.features.flexure import flexure_of
 from freecad.elastica_wb.features.model import model_of
 from freecad.elastica_wb.features.proxy import why_skipped
 from freecad.elastica_wb.features.strip import shown_strips, strip_of
 from freecad.elastica_wb.host.objects import is_flat, is_flexure, is_model, is_plate, is_strip
 from freecad.elastica_wb.host.refusal import FAILURES, explained
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad._text import distinct
@@ -158,22 +159,21 @@ def _cuts(obj: Any, parts: Mapping[Any, Any]) -> list[Cut]:
         return [Cut(*fields) for fields in zip_longest(model.pieces, strips)]
     if is_plate(obj):
         return [Cut(piece) for piece in count_pieces(plate.piece for plate in parts[obj])]
+    name = obj.EngravedText or obj.Label
     if is_flexure(obj):
         part = flexure_of(obj)
-        drawings = drawings_of(part, obj.EngravedText or obj.Label)
+        drawings = {name: part.drawing(), f"{name} {translate('Elastica', 'holder')}": part.holder()}
         return [
-            Cut(Piece(name, replace(drawing, name=name), part.sheet, obj.Quantity))
-            for name, drawing in drawings
+            Cut(Piece(called, replace(drawing, name=called), part.sheet, obj.Quantity))
+            for called, drawing in drawings.items()
         ]
-    strip, name = parts[obj], obj.EngravedText or obj.Label
-    names = [layer.called(name) for layer in strip.layers]
-    return [
-        Cut(
-            Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity, number=strip.number),
-            strip,
-        )
-        for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
-    ]
+    strip = parts[obj]
+    cuts = []
+    for layer, plain in zip(strip.layers, strip.drawings(), strict=False):
+        drawing = replace(plain, name=layer.called(name))
+        piece = Piece(drawing.name, drawing, layer.sheet, obj.Quantity, number=strip.number)
+        cuts.append(Cut(piece, strip))
+    return cuts
 
 
 def later_features(obj: Any) -> str:

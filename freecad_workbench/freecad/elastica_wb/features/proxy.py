@@ -67,6 +67,17 @@ FreeCAD moves the objects of this link into another container together with the 
 The links to the sources have global scope, because a source may be in another container, such as a body.
 """
 
+CHOSEN_EDGES = Property(
+    "FloatList",
+    "ChosenEdges",
+    "Curve",
+    "Lengths and ends of the edges when they were chosen",
+    [],
+    result=True,
+    hidden=True,
+)
+"""Property of features that follow a curve, from which `renumbered` recognizes the edges of the property Curve."""
+
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
@@ -107,7 +118,8 @@ class Feature(Unsaved):
             for name in cls.sheets
         ]
         cls.links = tuple(entry.name for entry in cls.properties if entry.kind.startswith("Link"))
-        cls.properties = (*cls.properties, *titles, *cls.places)
+        chosen = [CHOSEN_EDGES] if "Curve" in cls.links else []
+        cls.properties = (*cls.properties, *titles, *chosen, *cls.places)
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
 
     def __init__(self, obj: Any) -> None:
@@ -158,6 +170,8 @@ class Feature(Unsaved):
             return
         if name in self.links:
             _note_containers(obj)
+        if name == "Curve" and CHOSEN_EDGES.name in obj.PropertiesList:
+            put(obj, ChosenEdges=[])
         if f"{name}Title" in obj.PropertiesList:
             _show_title(obj, name)
         numbers_name = self.sheets.get(name)
@@ -173,35 +187,32 @@ class Feature(Unsaved):
 
     def keep_sheets(self, obj: Any) -> None:
         """Update the list of sheets. Mark the feature for recompute if the user has edited its sheet."""
-        measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
-        saved = {name: getattr(obj, name) for name in self.sheets.values()}
+        names = {*self.sheets.values(), "Thickness"} & {*obj.PropertiesList}
+        saved = {name: getattr(obj, name) for name in names}
         for name in self.sheets:
             chosen = getattr(obj, name)
             choices = list(dict.fromkeys([*sheet_list(), chosen]))
             if choices != obj.getEnumerationsOfProperty(name):
                 setattr(obj, name, choices)
                 setattr(obj, name, chosen)
-        put(obj, **{name: getattr(value, "Value", value) for name, value in (saved | measured).items()})
+        put(obj, **{name: getattr(value, "Value", value) for name, value in saved.items()})
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 old = sheet_from_text(getattr(obj, name), saved[numbers])
                 new = sheet_called(old.name, saved[numbers])
                 if new != old:
                     obj.touch()
-                if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
+                if name == "Sheet" and "Thickness" in saved and obj.Thickness.Value == old.thickness:
                     # replace the nominal thickness of the old sheet, but not a measured thickness
                     put(obj, Thickness=new.thickness)
-
-    def _store_sheets(self, obj: Any) -> None:
-        for name, numbers in self.sheets.items():
-            with suppress(InputError):
-                put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
     def execute(self, obj: Any) -> None:
         """Recompute the feature. After an error, the shape is unchanged."""
         try:
             require_choices(obj, self.properties)
-            self._store_sheets(obj)
+            for name, numbers in self.sheets.items():
+                with suppress(InputError):
+                    put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
             self.make(obj)
         except FAILURES as error:
             explanation = explained(error)
@@ -236,14 +247,19 @@ def added(
     type_id: str = "Part::FeaturePython",
     **properties: Any,
 ) -> Any:
-    """Add a feature with these properties to the document, or to the App::Part that contains all `sources`."""
+    """Add a feature with these properties to the document, or to the App::Part that contains all `sources`.
+
+    A feature of PartDesign is added to the body of its sources. A feature with a sheet gets the sheet's colour.
+    """
     obj = document.addObject(type_id, name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
     group = groups.pop() if len(groups) == 1 else None
-    if group is not None and group.TypeId == "App::Part":
+    if group is not None and (group.TypeId == "App::Part" or type_id.startswith("PartDesign::")):
         group.addObject(obj)
     dress(obj)
+    if App.GuiUp and proxy.sheets:
+        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     for prop, value in properties.items():
         setattr(obj, prop, value)
     return obj
@@ -274,11 +290,14 @@ def hide(obj: Any) -> None:
         if feature.Visibility:
             feature.HiddenByError = True
             feature.Visibility = False
-    for part in (
+    for part in [
         part for feature in ours if feature.HiddenByError for part in feature.Proxy.covered(feature)
-    ):
+    ]:
         well = part not in failed and "Invalid" not in part.State
-        if well and not (part.Visibility or part.ShownByError or _visible_users(part)):
+        is_covered = any(
+            user.Visibility and part in user.Proxy.covered(user) for user in part.InList if is_ours(user)
+        )
+        if well and not (part.Visibility or part.ShownByError or is_covered):
             part.ShownByError = True
             part.Visibility = True
 
@@ -341,11 +360,6 @@ def _restore_visibility(obj: Any) -> None:
             if part.ShownByError:
                 part.ShownByError = False
                 part.Visibility = False
-
-
-def _visible_users(part: Any) -> list[Any]:
-    users = (user for user in part.InList if is_ours(user))
-    return [user for user in users if user.Visibility and part in user.Proxy.covered(user)]
 
 
 def parents(source: Any) -> list[Any]:

@@ -9,10 +9,9 @@ from typing import Any, ClassVar
 from weakref import WeakValueDictionary
 
 import FreeCAD as App
-import Part
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve, edge_marks
-from freecad.elastica_wb.features.proxy import Feature, parents
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, renumbered
+from freecad.elastica_wb.features.proxy import Feature, added, parents
 from freecad.elastica_wb.features.strip_properties import (
     FOLLOW,
     PROPERTIES,
@@ -23,15 +22,16 @@ from freecad.elastica_wb.features.strip_properties import (
     spec_of,
 )
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
+from freecad.elastica_wb.host.objects import is_sketch, is_strip
+from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.words import name_of
 from freecad.elastica_wb.solving.strip_cache import (
+    SEARCHING,
     bent_shape,
-    find_nearest,
+    find_rod,
     flat_shape,
     held_shape,
     judged,
@@ -52,7 +52,6 @@ from elastica_cad.errors import (
     sentences,
 )
 from elastica_cad.form_finding.nearest_record import NearestRod
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -60,9 +59,6 @@ from elastica_cad.strip.suggestions import instruction
 from elastica_cad.strip.summary import not_computed_row
 
 BODY = "PartDesign::Body"
-
-MARK_NUMBERS = 7
-"""Count of the numbers of `edge_marks` for an edge."""
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
@@ -112,8 +108,6 @@ class StripFeature(Feature):
         positions refer to the current curve and are not scaled.
         """
         super().onChanged(obj, name)
-        if name == "Curve" and "Restore" not in obj.State and "ChosenEdges" in obj.PropertiesList:
-            put(obj, ChosenEdges=[])
         if (
             name in ("Between", "Loads")
             and "Restore" not in obj.State
@@ -147,7 +141,7 @@ class StripFeature(Feature):
         near = _nearest_of(spec)
         if near is not None:
             _nearest[made_from] = near
-        _show_results(obj, strip, near, moved_by_smoothing(spec), _renumbered(obj))
+        _show_results(obj, strip, near, moved_by_smoothing(spec), renumbered(obj))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
         """Show the error. While the sketch is open, no feature is hidden."""
@@ -180,21 +174,17 @@ class StripFeature(Feature):
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     """Make a strip that follows a sketch or edges of an object, without recomputing the document."""
     group = sketch.getParentGeoFeatureGroup()
-    body = group is not None and group.TypeId == BODY and not _solids(group)
-    obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
-    StripFeature(obj)
+    in_body = group is not None and group.TypeId == BODY and not group.Shape.Solids
+    type_id = "PartDesign::FeatureAdditivePython" if in_body else "Part::FeaturePython"
+    properties: dict[str, Any] = {
+        **dict.fromkeys(("MaxWidth", "OuterWidth"), preferences.get("MaxWidth")),
+        **dict.fromkeys(("StartTab", "EndTab"), preferences.get("TabLength")),
+    }
     # FreeCAD forbids equal labels, so the label of the sketch is used only if the user chose it
     if is_sketch(sketch) and sketch.Label != sketch.Name:
-        obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
-    if group is not None and (body or group.TypeId != BODY):
-        group.addObject(obj)
-    obj.Curve = (sketch, list(edges))
-    obj.MaxWidth = obj.OuterWidth = preferences.get("MaxWidth")
-    obj.StartTab = obj.EndTab = preferences.get("TabLength")
-    dress(obj)
-    if App.GuiUp:
-        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
-    return obj
+        properties["Label"] = f"{sketch.Label} {translate('Elastica', 'strip')}"
+    curve = (sketch, list(edges))
+    return added(document, "Strip", StripFeature, [sketch], type_id=type_id, Curve=curve, **properties)
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:
@@ -219,13 +209,13 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 
 def strip_of(obj: Any) -> Strip:
     """Return the `Strip` record of a strip feature."""
-    return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
+    return solve_strip(spec_of(obj))
 
 
 def valid_request(obj: Any) -> StripSpec | None:
     """Return the `StripSpec`, or None if properties are not valid. The strip may still be impossible."""
     try:
-        spec = spec_of(obj, drawn_curve(obj.Curve, obj))
+        spec = spec_of(obj)
     except FAILURES:
         return None
     return spec if obj.MaxWidth.Value > 0 or obj.MinWidth.Value > 0 else None
@@ -239,14 +229,13 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
     changes: list[Change] = []
     spec = None
     try:
-        spec = spec_of(obj, drawn_curve(obj.Curve, obj))
+        spec = spec_of(obj)
         strip = solve_strip(spec)
         remarks = [record for record in strip.warnings if isinstance(record, Refusal)]
         changes += (change for record in remarks for change in record.all_changes if _may_help(spec, change))
         nearest = Change("nearest", True)
-        changes += (
-            [nearest] if _may_help(spec, nearest) and any(f.curve_helps for f in strip_faults(strip)) else []
-        )
+        if any(fault.curve_helps for fault in strip_faults(strip)) and _may_help(spec, nearest):
+            changes.append(nearest)
     except FAILURES as error:
         refusal = explained(error).refusal
         changes += refusal.all_changes if spec is None else ()
@@ -311,11 +300,11 @@ def shown_nearest(obj: Any) -> NearestRod | None:
     """Return the nearest rod from which the current shape was made, or None if the drawn curve was kept."""
     if obj.MadeFrom in _shown:
         return _nearest.get(obj.MadeFrom)
-    return _nearest_of(spec_of(obj, drawn_curve(obj.Curve, obj)))
+    return _nearest_of(spec_of(obj))
 
 
 def _nearest_of(spec: StripSpec) -> NearestRod | None:
-    return find_nearest(spec.rod_spec) if spec.may_change else None
+    return in_background(SEARCHING, find_rod, spec.rod_spec) if spec.may_change else None
 
 
 def show_held(obj: Any) -> None:
@@ -367,31 +356,6 @@ def _hash_of_request(obj: Any, drawn: Any, spec: Any) -> str:
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
-def _solids(body: Any) -> bool:
-    shape = getattr(body, "Shape", None)
-    return shape is not None and not shape.isNull() and bool(shape.Solids)
-
-
-def _renumbered(obj: Any) -> list[str]:
-    """Return a remark if another edge got the name of the chosen edge, as FreeCAD 0.20 numbers edges.
-
-    The chosen edge still exists then. Otherwise the edge has changed, and its new form is stored.
-    """
-    source, names = obj.Curve
-    names = [name for name in names if name and "." not in name]
-    shape = Part.getShape(source)
-    marks, numbers = edge_marks(shape, names) if names else [], obj.ChosenEdges
-    chosen = [tuple(numbers[i : i + MARK_NUMBERS]) for i in range(0, len(numbers), MARK_NUMBERS)]
-    if chosen and set(marks) != set(chosen) and set(chosen) <= set(edge_marks(shape)):
-        before, now = (Length(sum(length for length, *_ in edges)) for edges in (chosen, marks))
-        return [note(
-            "The curve is another edge than before: {before:.4g} -> {now:.4g}. Choose the curve again.",
-            before=before, now=now,
-        )]  # fmt: skip
-    put(obj, ChosenEdges=[number for mark in marks for number in mark])
-    return []
-
-
 def _show_results(
     obj: Any, strip: Strip, near: NearestRod | None, smoothed: float, remarks: list[str]
 ) -> None:
@@ -432,9 +396,7 @@ def _show_results(
         Reasons=list(dict.fromkeys(notes)),
         Fails=[fault.number for fault in faults],
         Margin=0.0 if stability is None else stability.margin,
-        ConjugatePoint=0.0
-        if stability is None or stability.conjugate_point is None
-        else stability.conjugate_point,
+        ConjugatePoint=0.0 if stability is None else stability.conjugate_point or 0.0,
         Deviation=(rod.moved if near is None else near.deviation) + smoothed,
         **{entry.name: entry.of(strip) for entry in PROPERTIES if entry.of is not None},
     )

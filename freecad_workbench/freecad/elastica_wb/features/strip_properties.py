@@ -4,12 +4,12 @@
 """Properties of a strip, and their conversion to the table of a design file, which the core reads."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias, get_args
 
 import FreeCAD as App
-from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
+from freecad.elastica_wb.curves.sketch_curves import DrawnCurve, drawn_curve
 from freecad.elastica_wb.host.property_table import (
     NOTHING,
     Property,
@@ -24,7 +24,7 @@ from elastica_cad.declared import Field, declared
 from elastica_cad.defaults import MAX_WIDTH, RATIO, TAB_LENGTH
 from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, paths_of, put, word_of
 from elastica_cad.design.strip_table import StripKeys, read_fields, read_request, scaled_places
-from elastica_cad.design.tables import Table, merged
+from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import FieldName, Force, InputError, Length, Mass, note
 from elastica_cad.form_finding.limits import BOTH_ENDS
@@ -100,15 +100,6 @@ SHEET_PROPERTIES = (
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
-    Property(
-        "FloatList",
-        "ChosenEdges",
-        "Curve",
-        "Lengths and ends of the edges when they were chosen",
-        [],
-        result=True,
-        hidden=True,
-    ),
     Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
     Property(
         "Length",
@@ -294,21 +285,40 @@ SHEET, BACKING = "sheet", "backing"
 """Keys of the sheets in the table of a strip. The document stores the data of both sheets."""
 
 
-def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
+def spec_of(obj: Any, drawn: DrawnCurve | None = None) -> StripSpec:
     """Return the `StripSpec` that the properties define. Properties without effect are ignored.
+
+    `drawn` is the curve of the strip, if it has already been read.
 
     Raises
     ------
     InputError
         A size is far out of range: a typing error, or a wrong unit.
     """
+    drawn = drawn or drawn_curve(obj.Curve, obj)
     _refuse_slips(obj, drawn)
     sheets = {SHEET: sheet_of(obj)}
-    if style_of(obj) == "Laminated":
+    style, nearest, weight = style_of(obj), obj.Follow == "Nearest", obj.WeightLaw.strip()
+    if style == "Laminated":
         sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
-    nearest = obj.Follow == "Nearest"
     fields = {path: field for path, field in FIELDS.items() if _has_effect(obj, path, nearest=nearest)}
-    table = _design_table(obj, drawn, fields, READ_STRIP | READ_ROD | (READ_LIMITS if nearest else {}))
+    values = {
+        # a section replaces the default style, which is plain
+        "style.kind": None if style == "Plain" else style.lower(),
+        "style.backing": BACKING if style == "Laminated" else None,
+        "max_width": None if style == "Plain" else obj.MaterialWidth.Value or None,
+        "shop.least_ligament": obj.LeastLigament.Value if style == "Perforated" else None,
+        # True for all effects, False for none, None for anticlastic bending only
+        "compensate": None
+        if obj.Law.strip() or (obj.Anticlastic and not obj.Compensate)
+        else bool(obj.Compensate),
+        "smooth": obj.Smooth.Value or (0.0 if obj.AsDrawn else None),
+        "loads": parsed_line(weight, "WeightLaw", WEIGHT_LINE)
+        if weight
+        else _lines(obj.Loads, "Loads", MASS_LINE) or None,
+        "ends": [_tab(obj, side) for side in ("Start", "End")],
+    }
+    table = _design_table(obj, drawn, fields, values | (_limits(obj) if nearest else {}))
     if before := obj.PlacesLength.Value:
         table = Table(table.data | scaled_places(table.data, drawn.curve.length / before), "", {})
     return read_request(table, Reader(sheets), drawn.curve, drawn.plane)
@@ -317,7 +327,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """Return the `RodSpec` for the nearest rod within limits, even if the strip follows the curve exactly."""
     limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
-    table = _design_table(obj, drawn, limits, READ_ROD | READ_LIMITS)
+    table = _design_table(obj, drawn, limits, _limits(obj))
     fields = read_fields(table, Reader({SHEET: sheet_of(obj)}))
     gravity, _ = pull_in_plane(fields.get("gravity"), sheet_of(obj), drawn.plane)
     return RodSpec(
@@ -391,19 +401,22 @@ def acting_words(item: Acting, places: Sequence[float]) -> str:
 
 
 def _design_table(
-    obj: Any, drawn: DrawnCurve, fields: Mapping[str, Field], readers: Mapping[str, Callable[[Any], Any]]
+    obj: Any, drawn: DrawnCurve, fields: Mapping[str, Field], further: Mapping[str, Any]
 ) -> Table:
+    """Return the table of a design file. `further` has computed values by path."""
     table: dict[str, Any] = {}
-    for path, field in fields.items():
-        value = value_of_field(obj, name_of(path), field)
+    values = {
+        "sheet": SHEET,
+        "supports": [obj.StartSupport, obj.EndSupport],
+        "natural_curvature": parsed_line(obj.Blank, "Blank", BLANK_LINE)
+        if obj.Blank.strip()
+        else obj.NaturalCurvature or None,
+        "gravity": _gravity(obj, drawn),
+    }
+    single = ((path, value_of_field(obj, name_of(path), field)) for path, field in fields.items())
+    for path, value in (*single, *values.items(), *further.items()):
         if value is not None:
-            put(table, path, value)
-    if (gravity := _gravity(obj, drawn)) is not None:
-        table["gravity"] = gravity
-    for key, read in readers.items():
-        value = read(obj)
-        if value is not None:
-            table[key] = merged(table.get(key, {}), value) if isinstance(value, dict) else value
+            put(table, path, list(value) if isinstance(value, tuple) else value)
     return Table(table, "", {})
 
 
@@ -493,28 +506,6 @@ def sheet_of(obj: Any) -> Sheet:
     return replace(sheet, thickness=thickness, thickness_range=None)
 
 
-def _style(obj: Any) -> dict[str, Any] | None:
-    kind = style_of(obj).lower()
-    if kind == "plain":  # the default, which a section replaces
-        return None
-    return {"kind": kind, "backing": BACKING} if kind == "laminated" else {"kind": kind}
-
-
-def _max_width(obj: Any) -> float | None:
-    return None if style_of(obj) == "Plain" else obj.MaterialWidth.Value or None
-
-
-def _shop(obj: Any) -> dict[str, Any] | None:
-    return {"least_ligament": obj.LeastLigament.Value} if style_of(obj) == "Perforated" else None
-
-
-def _compensate(obj: Any) -> bool | None:
-    """Return the option `compensate`: True for all effects, False for none, None for anticlastic bending only."""
-    if obj.Law.strip():
-        return None
-    return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
-
-
 def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
     if not obj.Gravity:
         return None
@@ -527,25 +518,17 @@ def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
     return None if felt is None else {"length": felt.length, "direction": list(felt.direction)}
 
 
-def _natural_curvature(obj: Any) -> Any:
-    return parsed_line(obj.Blank, "Blank", BLANK_LINE) if obj.Blank.strip() else obj.NaturalCurvature or None
-
-
-def _loads(obj: Any) -> Any:
-    if weight := obj.WeightLaw.strip():
-        return parsed_line(weight, "WeightLaw", WEIGHT_LINE)
-    return _lines(obj.Loads, "Loads", MASS_LINE) or None
-
-
 def _limits(obj: Any) -> dict[str, Any]:
-    strain = (obj.StrainLimit / 100 or True) if obj.LimitStrain else None
-    limits = {
-        "margin": obj.MarginLimit if obj.LimitMargin else None,
-        "strain": strain,
-        "length": _range(obj, "Length"),
-        "width": _range(obj, "Width"),
+    line = list(obj.InflectionLine)
+    return {
+        "limits.margin": obj.MarginLimit if obj.LimitMargin else None,
+        "limits.strain": (obj.StrainLimit / 100 or True) if obj.LimitStrain else None,
+        "limits.length": _range(obj, "Length"),
+        "limits.width": _range(obj, "Width"),
+        "keep.ends": BOTH_ENDS[obj.KeepEnds],
+        "keep.tangents": BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False,
+        "keep.line": [line[:2], line[2:]] if line else obj.KeepLine or None,
     }
-    return {key: value for key, value in limits.items() if value is not None}
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
@@ -563,47 +546,12 @@ def _range(obj: Any, kind: str) -> list[float] | None:
     return [least, most]
 
 
-def _keep(obj: Any) -> dict[str, Any]:
-    line = list(obj.InflectionLine)
-    ends, tangents = BOTH_ENDS[obj.KeepEnds], BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False
-    keep: dict[str, Any] = {"ends": ends, "tangents": tangents}
-    keep = {key: value if isinstance(value, bool) else list(value) for key, value in keep.items()}
-    if line:
-        return keep | {"line": [line[:2], line[2:]]}
-    return keep | ({"line": True} if obj.KeepLine else {})
-
-
-def _ends(obj: Any) -> list[dict[str, Any]]:
-    tabs = []
-    for side in ("Start", "End"):
-        keys, length = getattr(obj, f"{side}TabKeys"), getattr(obj, f"{side}Tab").Value
-        tabs.append(parsed_line(keys, f"{side}TabKeys", TAB_LINE) if keys.strip() else _tab(obj, length))
-    return tabs
-
-
-def _tab(obj: Any, length: float) -> dict[str, Any]:
+def _tab(obj: Any, side: str) -> dict[str, Any]:
+    keys, length = getattr(obj, f"{side}TabKeys"), getattr(obj, f"{side}Tab").Value
     hole = obj.TabHole.Value
+    if keys.strip():
+        return parsed_line(keys, f"{side}TabKeys", TAB_LINE)
     if not length:
         return {"length": 0.0}
     holes = {"holes": [{"at": length / 2, "diameter": hole}]} if hole else {}
     return {"length": length, "corner_radius": obj.TabRadius.Value, **holes}
-
-
-READ_STRIP: dict[str, Callable[[Any], Any]] = {
-    "style": _style,
-    "max_width": _max_width,
-    "shop": _shop,
-    "compensate": _compensate,
-    "smooth": lambda obj: obj.Smooth.Value or (0.0 if obj.AsDrawn else None),
-    "loads": _loads,
-    "ends": _ends,
-}
-READ_ROD: dict[str, Callable[[Any], Any]] = {
-    "sheet": lambda _: SHEET,
-    "supports": lambda obj: [obj.StartSupport, obj.EndSupport],
-    "natural_curvature": _natural_curvature,
-}
-READ_LIMITS: dict[str, Callable[[Any], Any]] = {"limits": _limits, "keep": _keep}
-"""Functions that compute the values of keys of a design file from the properties of a strip.
-
-No single property corresponds to these keys. `READ_STRIP` and `READ_ROD` have functions for more such keys."""

@@ -138,8 +138,5 @@ class SectionView(View):
     icon_name = "Elastica_Section"
 
 
-KINDS = {
-    "Strip": StripView, "Flat": FlatView, "Model": ModelView, "Fixtures": FixturesView,
-    "BasePlate": BasePlateView, "Rings": RingsView, "Nest": NestView, "Nearest": NearestView,
-    "Bent": BentView, "Section": SectionView, "Flexure": FlexureView,
-}  # fmt: skip
+KINDS = {view.__name__.removesuffix("View"): view for view in View.__subclasses__()}
+"""View provider of each kind of feature."""

@@ -185,7 +185,10 @@ def calm(form: Any) -> None:
             widget.setFocusPolicy(QtCore.Qt.StrongFocus)
             widget.installEventFilter(keeper)
             if _is_quantity(widget):
-                _widen(widget)
+                # with limits, FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large
+                if widget.property("minimum") < 0:
+                    widget.setProperty("minimum", -LARGEST)
+                widget.setProperty("maximum", LARGEST)
             if isinstance(widget, QtWidgets.QAbstractSpinBox):
                 widget.setKeyboardTracking(False)
                 widget.setMinimumWidth(NARROWEST_PX)
@@ -231,17 +234,11 @@ def _is_number_box(widget: Any) -> bool:
     return isinstance(widget, QtWidgets.QAbstractSpinBox) and not isinstance(widget, QtWidgets.QSpinBox)
 
 
-def _widen(box: Any) -> None:
-    """Remove the limits of a box. With limits, FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large."""
-    if box.property("minimum") < 0:
-        box.setProperty("minimum", -LARGEST)
-    box.setProperty("maximum", LARGEST)
-
-
 class _InputFilter(QtCore.QObject):
     def eventFilter(self, widget: Any, event: Any) -> bool:
         kind = kind_of(event)
-        if kind == QtCore.QEvent.KeyPress and event.text() == "." and _is_number_box(widget):
+        typed_text = event.text() if kind == QtCore.QEvent.KeyPress else ""
+        if typed_text == "." and _is_number_box(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
                 # the box would read the point as a separator of thousands, and 0.5 mm as 5 mm
@@ -251,12 +248,9 @@ class _InputFilter(QtCore.QObject):
         if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
-        is_entered = kind == QtCore.QEvent.FocusOut or (
-            kind == QtCore.QEvent.KeyPress and event.text() == "\r"
-        )
-        if is_entered and _is_emptied(widget):
+        if (kind == QtCore.QEvent.FocusOut or typed_text == "\r") and _is_emptied(widget):
             widget.setValue(widget.minimum())
-        if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
+        if typed_text not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
             # wait until the box has read the typed text

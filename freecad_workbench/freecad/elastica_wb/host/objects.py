@@ -54,11 +54,6 @@ def is_flat(obj: Any) -> bool:
     return feature_kind(obj) == "Flat"
 
 
-def is_rings(obj: Any) -> bool:
-    """Return True if an object is a feature of ring plates."""
-    return feature_kind(obj) == "Rings"
-
-
 def is_plate(obj: Any) -> bool:
     """Return True if an object is a feature of a base plate or of ring plates."""
     return feature_kind(obj) in ("BasePlate", "Rings")

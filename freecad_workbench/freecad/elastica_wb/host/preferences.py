@@ -26,6 +26,9 @@ DEFAULTS: dict[str, Any] = {
 }
 """Default of every preference. Its type is the type of the preference."""
 
+KINDS = {bool: "Bool", float: "Float", str: "String"}
+"""Ends of the names of FreeCAD's methods for preferences, by type."""
+
 CHOICES = {
     "DxfVersion": ("R2010", "R12", "R2000", "R2004", "R2007", "R2013", "R2018"),
     "Curves": ("spline", "arc", "polyline"),
@@ -39,19 +42,13 @@ def get(name: str) -> Any:
     if name in CHOICES:
         number = group.GetInt(name, CHOICES[name].index(default))
         return CHOICES[name][number] if 0 <= number < len(CHOICES[name]) else default
-    if isinstance(default, bool):
-        return group.GetBool(name, default)
-    return group.GetFloat(name, default) if isinstance(default, float) else group.GetString(name, default)
+    return getattr(group, f"Get{KINDS[type(default)]}")(name, default)
 
 
 def put(name: str, value: Any) -> None:
     """Change the value of a preference."""
-    group = App.ParamGet(PATH)
+    kind, group = type(DEFAULTS[name]), App.ParamGet(PATH)
     if name in CHOICES:
         group.SetInt(name, CHOICES[name].index(value))
-    elif isinstance(DEFAULTS[name], bool):
-        group.SetBool(name, bool(value))
-    elif isinstance(DEFAULTS[name], float):
-        group.SetFloat(name, float(value))
     else:
-        group.SetString(name, str(value))
+        getattr(group, f"Set{KINDS[kind]}")(name, kind(value))

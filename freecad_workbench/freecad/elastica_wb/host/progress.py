@@ -4,7 +4,7 @@
 """Long computations with a progress bar, which the Escape key stops."""
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, TypeVar
@@ -17,7 +17,7 @@ Step = Callable[[int], bool]
 """Function that receives the number of finished parts of the work, and returns False if the user stops
 the work."""
 
-Answer, Item = TypeVar("Answer"), TypeVar("Item")
+Answer = TypeVar("Answer")
 
 # time, s, before the progress bar appears
 QUIET_S = 0.5
@@ -110,21 +110,3 @@ def go_on(step: Step | None, done: int, stopped: str) -> None:
     """
     if step is not None and not step(done):
         raise NotConvergedError("stopped: {why}", why=note(stopped))
-
-
-def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:
-    """Apply a function to each item in this thread and return the results.
-
-    The user can stop the work between items.
-
-    Raises
-    ------
-    NotConvergedError
-        The user stopped the work.
-    """
-    answers = []
-    with progress(title, len(items)) as step:
-        for done, item in enumerate(items):
-            go_on(step, done, "recompute to try again")
-            answers.append(work(item))
-    return answers

@@ -112,35 +112,31 @@ def require_choices(obj: Any, table: Iterable[Property]) -> None:
     """
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
-        if name in formulas:
-            _require_choice(obj, name, formulas[name])
+        if name not in formulas:
+            continue
+        formula, choices = formulas[name], obj.getEnumerationsOfProperty(name)
+        try:
+            value = obj.evalExpression(formula)
+        except Exception as error:  # FreeCAD raises errors of many classes
+            raise InputError(
+                "FreeCAD cannot compute the formula of {box} ({reason}). Correct or remove the formula.",
+                box=FieldName(name),
+                reason=formula,
+            ) from error
+        if not _is_choice(value, choices):
+            raise InputError(
+                "{property} has the formula {formula}, which gives {given}. Use 0 to {most}, or a name such as "
+                "{name}. Correct or remove the formula.",
+                property=f"{obj.Name}.{name}",
+                formula=formula,
+                given=value,
+                most=len(choices) - 1,
+                name=f"<<{choices[0]}>>",
+            )
 
 
 def _formulas(obj: Any) -> dict[str, str]:
     return {name: formula for name, formula, *_ in obj.ExpressionEngine}
-
-
-def _require_choice(obj: Any, name: str, formula: str) -> None:
-    choices = obj.getEnumerationsOfProperty(name)
-    try:
-        value = obj.evalExpression(formula)
-    except Exception as error:  # FreeCAD raises errors of many classes
-        raise InputError(
-            "FreeCAD cannot compute the formula of {box} ({reason}). Correct or remove the formula.",
-            box=FieldName(name),
-            reason=formula,
-        ) from error
-    if not _is_choice(value, choices):
-        called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"
-        raise InputError(
-            "{property} has the formula {formula}, which gives {given}. Use 0 to {most}, or a name such as "
-            "{name}. Correct or remove the formula.",
-            property=called,
-            formula=formula,
-            given=value,
-            most=len(choices) - 1,
-            name=a_name,
-        )
 
 
 def _is_choice(value: Any, choices: list[str]) -> bool:

@@ -5,6 +5,7 @@
 
 import gc
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import FreeCAD as App
@@ -68,15 +69,12 @@ def surface_of(view: Any) -> Any | None:
     While the wrapper of a closed view is referenced, PySide may return it for a new view at the same address.
     A garbage collection removes such wrappers.
     """
-    for attempt in (1, 2):
-        try:
+    for _ in (1, 2):
+        with suppress(RuntimeError):
             surface = view.graphicsView()
             surface.viewport()
-        except RuntimeError:
-            if attempt == 1:
-                gc.collect()
-        else:
             return surface
+        gc.collect()
     return None
 
 

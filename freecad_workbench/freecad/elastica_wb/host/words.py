@@ -146,13 +146,10 @@ def packed(value: Any) -> Any:
     if isinstance(value, (tuple, list)):
         plain: Any = [packed(item) for item in value]
     else:
-        plain = value if value is None or isinstance(value, (bool, int)) else _plain(value)
+        is_plain = value is None or isinstance(value, (bool, int))
+        plain = value if is_plain else float(value) if isinstance(value, Real) else str(value)
     kind = type(value).__name__
     return {kind: plain} if kind in TYPES else plain
-
-
-def _plain(value: Any) -> float | str:
-    return float(value) if isinstance(value, Real) else str(value)
 
 
 def unpacked(data: Any) -> Any:

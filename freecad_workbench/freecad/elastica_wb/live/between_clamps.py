@@ -20,7 +20,7 @@ from freecad.elastica_wb.host.fields import calm, on_change, quantity_box, set_v
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
-from freecad.elastica_wb.live.preview import Place, Preview
+from freecad.elastica_wb.live.preview import Handles, Place, Preview
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.live.verdict_card import GAP_PX, free_part, heading_style
 from freecad.elastica_wb.recording import record_call, recorded
@@ -56,7 +56,7 @@ class BetweenClamps:
             angles = self.found.rod.angle
             self.angles = [float(angles[0]), float(angles[-1])]
         self.angles = self.angles or [0.0, 0.0]
-        self.preview.add_handles(self._places(), self._moved, self._draw)
+        self.preview.handles = Handles(view, placement, self._places(), self._moved, self._draw)
         Gui.addDocumentObserver(self)
         App.addDocumentObserver(self)
         if self.number is None:

@@ -15,7 +15,6 @@ from elastica_cad.errors import ElasticaError, Length
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.elements import noun_of
 from elastica_cad.mechanics.loads import nodal_curvature
-from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
@@ -29,7 +28,7 @@ COMB_HEIGHT = 0.2
 LINE_MARGIN = 0.15
 
 
-Point = tuple[float, float]
+Point = Sequence[float]
 
 
 def _nothing() -> FloatArray:
@@ -100,11 +99,14 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     positions = [*good, *bad, *met]
     marks = _at(check.curve, positions)
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
-    answer, realizable = quick_answer(drawn_curve, samples, spec, check), check.realizable
+    answer, realizable = quick_answer(drawn_curve, spec, check), check.realizable
     thrust: tuple[FloatArray, ...] = ()
     if realizable and acting:
         try:
-            thrust = thrust_lines(find_rod(rod_spec))
+            rod = find_rod(rod_spec)
+            low, high = rod.position.min(axis=0), rod.position.max(axis=0)
+            margin = LINE_MARGIN * float(np.max(high - low))
+            thrust = tuple(thrust_sides(rod, low - margin, high + margin))
         except ElasticaError as error:
             answer, realizable = refusal_answer(error), False
     places_of = [_at(check.curve, element.s) for element in acting]
@@ -117,26 +119,15 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         on_line=on_line,
         off_line=off_line,
         crossings=crossings,
-        labels=tuple((_point(mark), Length(s)) for mark, s in zip(marks, positions, strict=True)),
+        labels=tuple(zip(marks.tolist(), map(Length, positions), strict=True)),
         thrust=thrust,
         stations=tuple(
-            (_point(place), "" if k else noun_of(element.element))
+            (place.tolist(), "" if k else noun_of(element.element))
             for element, ends in zip(acting, places_of, strict=True)
             for k, place in enumerate(ends)
         ),
         cords=tuple(ends for ends in places_of if len(ends) > 1),
     )
-
-
-def thrust_lines(rod: Rod) -> tuple[FloatArray, ...]:
-    """Return the parts of a rod's thrust line that are near the rod."""
-    low, high = rod.position.min(axis=0), rod.position.max(axis=0)
-    margin = LINE_MARGIN * float(np.max(high - low))
-    return tuple(thrust_sides(rod, low - margin, high + margin))
-
-
-def _point(place: FloatArray) -> Point:
-    return float(place[0]), float(place[1])
 
 
 def comb_scale(curve: PlaneCurve) -> float:

@@ -93,20 +93,19 @@ class LaterResults:
             from freecad.elastica_wb.features.strip import show_held
 
             show_held(obj)
-            return True
-        if feature_kind(obj) == "Nest":
+        elif feature_kind(obj) == "Nest":
             from freecad.elastica_wb.features.nest import report_left_out
 
             report_left_out(obj)
-            return True
-        from freecad.elastica_wb.features.model import overlaps_sought, show_overlaps
+        else:
+            from freecad.elastica_wb.features.model import overlaps_sought, show_overlaps
 
-        future = self._sought.pop(name, None) or overlaps_sought(obj)
-        if future is not None and not future.done():
-            self._sought[name] = future
-            return False
-        if future is not None:
-            show_overlaps(obj, future.result())
+            future = self._sought.pop(name, None) or overlaps_sought(obj)
+            if future is not None and not future.done():
+                self._sought[name] = future
+                return False
+            if future is not None:
+                show_overlaps(obj, future.result())
         return True
 
 
@@ -154,7 +153,7 @@ class Edits:
     def slotInEdit(self, provider: Any) -> None:
         """Start the overlay after FreeCAD has handled this signal and drawn the points of the sketch."""
         sketch = getattr(provider, "Object", None)
-        if is_sketch(sketch) and wants_overlay(sketch):
+        if is_sketch(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
 
     def slotResetEdit(self, provider: Any) -> None:
@@ -177,8 +176,7 @@ class Changes:
     def __init__(self) -> None:
         self._pending = False
         self._pasted: list[Any] = []
-        self._called: dict[tuple[str, str], str] = {}
-        self._held: dict[tuple[str, str], set[str]] = {}
+        self._before: dict[tuple[str, str, str], Any] = {}
         self._changed: dict[str, dict[str, set[str]]] = {}
         self._undone: dict[str, tuple[dict[str, set[str]], set[str]]] = {}
         self._after_undone = later(lambda: when_free(self._recompute_undone), PAUSE_MS)
@@ -194,7 +192,7 @@ class Changes:
             is_sketch(obj)
             and not obj.Document.Restoring
             and not obj.Document.Transacting
-            and _is_workbench_active()
+            and Gui.activeWorkbench().name() == WORKBENCH
         ):
             remember(obj, True)
 
@@ -202,22 +200,21 @@ class Changes:
         """Store a label, or the members of a container, before a change."""
         if obj.Document.Restoring:
             return
-        if name == "Label":
-            self._called[obj.Document.Name, obj.Name] = obj.Label
-        elif name == "Group":
-            self._held[obj.Document.Name, obj.Name] = _names(obj.Group)
+        if name in ("Label", "Group"):
+            before = obj.Label if name == "Label" else _names(obj.Group)
+            self._before[obj.Document.Name, obj.Name, name] = before
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """Update the overlay and dependent features after a change."""
+        before = self._before.pop((obj.Document.Name, obj.Name, name), None)
         if name == "Label":
-            _rename_users(obj, self._called.pop((obj.Document.Name, obj.Name), ""))
+            _rename_users(obj, before or "")
         if obj.Document.Transacting:
             if name not in SEEN_ONLY:
                 names = self._changed.setdefault(obj.Document.Name, {})
                 names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
-            moved = self._held.pop((obj.Document.Name, obj.Name), set()) ^ _names(obj.Group)
-            _call_in_proxy("keep_containers", obj.Document, moved)
+            _call_in_proxy("keep_containers", obj.Document, (before or set()) ^ _names(obj.Group))
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
             _call_in_proxy("keep_places", obj)
         if name == "Geometry" and is_on(obj):
@@ -306,10 +303,6 @@ def _is_importing(document: Any) -> bool:
     return bool(getattr(document, "Importing", False))
 
 
-def _is_workbench_active() -> bool:
-    return bool(App.GuiUp) and Gui.activeWorkbench().name() == WORKBENCH
-
-
 def _module_if_imported(module: str) -> Any:
     return sys.modules.get(f"freecad.elastica_wb.{module}")
 
@@ -359,7 +352,11 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
     for obj in (feature for feature in ours if not is_strip(feature)):
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
-        stands_elsewhere = regrouped or any(feature.Name in changed for feature in _containers_of(obj))
+        stands_elsewhere = regrouped or any(
+            above.Name in changed
+            for above in (obj.getParentGeoFeatureGroup(), *getattr(obj, "Containers", ()))
+            if above is not None
+        )
         if (
             failed
             or (follows and feature_kind(obj) in CURVES)
@@ -375,11 +372,6 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 def _names(objects: list[Any]) -> set[str]:
     """Return the names of objects. FreeCAD lists an object that is being deleted as None."""
     return {obj.Name for obj in objects if obj is not None}
-
-
-def _containers_of(obj: Any) -> list[Any]:
-    parent = obj.getParentGeoFeatureGroup()
-    return [*([parent] if parent is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:

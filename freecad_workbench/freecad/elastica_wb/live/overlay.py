@@ -59,8 +59,8 @@ PARTS = {
     "cords": Part(HELD, "┈", QT_TRANSLATE_NOOP("Elastica", "cord"), 1.5, DOTTED),
     "stations": Part(HELD, "■", QT_TRANSLATE_NOOP("Elastica", "rail, pin, tie or load"), marker=SQUARE),
     "nearest": Part((0.62, 0.35, 0.85), "╍", QT_TRANSLATE_NOOP("Elastica", "nearest curve"), 3.0, DASHED),
-    "on line": Part(COLORS[Verdict.CAN], "●", QT_TRANSLATE_NOOP("Elastica", "inflection on the line")),
-    "off line": Part(COLORS[Verdict.CANNOT], "●", QT_TRANSLATE_NOOP("Elastica", "inflection off it")),
+    "on_line": Part(COLORS[Verdict.CAN], "●", QT_TRANSLATE_NOOP("Elastica", "inflection on the line")),
+    "off_line": Part(COLORS[Verdict.CANNOT], "●", QT_TRANSLATE_NOOP("Elastica", "inflection off it")),
     "crossings": Part(
         COLORS[Verdict.CANNOT],
         "◆",
@@ -68,6 +68,9 @@ PARTS = {
         marker=DIAMOND,
     ),
 }
+
+LINES, MARKS = ("comb", "strained", "thrust", "cords"), ("on_line", "off_line", "crossings")
+"""Parts that show the fields of `Picture` with the same names: tuples of lines, and arrays of points."""
 
 
 class Overlay:
@@ -89,16 +92,9 @@ class Overlay:
         """
         stations = [station for picture in pictures for station in picture.stations]
         self._set(
-            comb=[line for picture in pictures for line in picture.comb],
-            strained=[line for picture in pictures for line in picture.strained],
+            **{name: [line for picture in pictures for line in getattr(picture, name)] for name in LINES},
+            **{name: [getattr(picture, name) for picture in pictures] for name in MARKS},
             line=[picture.line for picture in pictures if picture.line is not None],
-            **{
-                "on line": [picture.on_line for picture in pictures],
-                "off line": [picture.off_line for picture in pictures],
-            },
-            crossings=[picture.crossings for picture in pictures],
-            thrust=[line for picture in pictures for line in picture.thrust],
-            cords=[line for picture in pictures for line in picture.cords],
             stations=(np.array([place for place, _ in stations]).reshape(-1, 2),),
         )
         lengths = [

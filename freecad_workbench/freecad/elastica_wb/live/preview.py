@@ -26,7 +26,6 @@ class Preview:
     """Preview of a changed curve: before and after the change, the strip along the new curve, and handles."""
 
     def __init__(self, view: Any, placement: Any) -> None:
-        self._view, self._placement = view, placement
         self._scene = view.getSceneGraph()
         self.root = coin.SoSeparator()
         self.root.setName("ElasticaPreview")
@@ -57,15 +56,6 @@ class Preview:
     def show_strip(self, middle: FloatArray, width: FloatArray) -> None:
         """Show the strip with widths (n,), mm, along a curve (n, 2), mm."""
         self._strip.set(middle, width)
-
-    def add_handles(
-        self,
-        places: ArrayLike,
-        moved: Callable[[int, Place], None],
-        released: Callable[[], None] | None = None,
-    ) -> None:
-        """Add handles at points (n, 2). Dragging a handle calls `moved` with its index and position."""
-        self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
         """Remove everything from the view."""
@@ -129,8 +119,7 @@ class Handles:
         self._color, self._points, marks = coin.SoBaseColor(), coin.SoCoordinate3(), coin.SoMarkerSet()
         self._color.rgb = REST
         marks.markerIndex.setValue(Gui.getMarkerIndex("CIRCLE_FILLED", SIZE_PX))
-        for node in (self._color, self._points, marks):
-            self.root.addChild(node)
+        add_group(self.root, self._color, self._points, marks)
         self._scene.addChild(self.root)
         self._mouse = _Mouse(view, self._pressed, self._dragged, self._released)
         self.put(places)

@@ -4,7 +4,7 @@
 """Live feedback on an open sketch at every move of the mouse. *Keep it possible* moves poles back."""
 
 import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import FreeCAD as App
@@ -15,7 +15,6 @@ from freecad.elastica_wb.curves.part_shapes import plane_curve
 from freecad.elastica_wb.curves.sketch_curves import (
     AUTOMATIC,
     curve_into,
-    drawn_curve,
     drawn_in,
     gap_of,
     is_blank,
@@ -43,7 +42,6 @@ from freecad.elastica_wb.solving.strip_cache import (
     DraggableCurve,
     default_spec,
     nearest_to_drag,
-    sharpest_bend,
     solve_strip,
 )
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict, answer_of, refusal_answer, strip_answer
@@ -54,7 +52,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, Length, note, sentences
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.point_search import move_while_possible
-from elastica_cad.mechanics.section_limits import sharp_bend_message
+from elastica_cad.mechanics.section_limits import sharp_bend_message, sharpest_bend
 from elastica_cad.strip.strip_spec import StripSpec
 
 # delay, ms, of slower results after the last mouse move
@@ -75,8 +73,6 @@ MOVES, HALVINGS = (
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
-SEVERITY = (Verdict.NOTHING, Verdict.CAN, Verdict.BREAKS, Verdict.CANNOT)
-
 _session: "Session | None" = None
 
 
@@ -95,8 +91,7 @@ class Session:
         self._times = 1.0
         self._placed, self._cost = NO_POLES, ""
         self._scale: float | None = None
-        self._asks: StripSpec | None = None
-        self._asks_along: dict[tuple[str, ...], StripSpec] = {}
+        self._asks: dict[tuple[str, ...], StripSpec] = {}
         self._curve: Any = None
         self._geometry: list[Any] | None = None
         self._sensor: Any = None
@@ -106,8 +101,11 @@ class Session:
         self._rest = later(self._finish, REST_MS)
         self._asked: Any = None
         self._answer = later(self._look, PEEK_MS)
-        self._comb = _OwnComb()
-        self._possible: _Possible | None = None
+        self._possible: tuple[PlaneCurve, Any] | None = None
+        # FreeCAD's own curvature comb is switched off while the overlay is displayed
+        self._sketcher = App.ParamGet(SKETCHER)
+        self._own_comb = self._sketcher.GetBool(OWN_COMB, True)
+        self._sketcher.SetBool(OWN_COMB, False)
         self.card.keep.setChecked(getattr(sketch, sketches.KEEP, False))
         self.card.keep.clicked.connect(self._keep)
         self.refresh()
@@ -115,8 +113,7 @@ class Session:
     def refresh(self) -> None:
         """Update the overlay from the sketch as it is stored in the document."""
         self._soon.stop()
-        self._scale = self._asks = None
-        self._asks_along = {}
+        self._scale, self._asks = None, {}
         if self.card.keep.isChecked() and self._stop_at_border():
             return  # the changed sketch causes another refresh
         self._attach()
@@ -131,7 +128,7 @@ class Session:
             self._sensor.detach()
         self.overlay.remove()
         self.card.remove()
-        self._comb.restore()
+        self._sketcher.SetBool(OWN_COMB, self._own_comb)
 
     def use_nearest(self) -> None:
         """Replace the refused curve by the nearest possible curve, in one undo step."""
@@ -168,7 +165,7 @@ class Session:
         """
         try:
             self._curve = curve = sketch_curve(self.sketch, None, gap_of(*sketches.followers(self.sketch)))
-            spec = self._spec().changed(limits=None, keep=None)
+            spec = self._spec(curve).changed(limits=None, keep=None)
         except FAILURES:
             return False
 
@@ -176,14 +173,16 @@ class Session:
             answer = answer_of(spec.changed(curve=curve.with_control_points(poles)))
             return poles if answer.verdict is Verdict.CAN else None
 
-        now, last = _Possible(curve, _driving_constraints(self.sketch)), self._possible
+        driving = [c for c in self.sketch.Constraints if c.Driving and c.Type not in AUTOMATIC]
+        # what a drag does not change
+        drawing = curve.control_points.shape, [(c.Type, c.Value) for c in driving]
         if possible(curve.control_points) is not None:
-            self._possible = now
+            self._possible = curve, drawing
             return False
         document = self.sketch.Document
-        if last is None or document.RedoCount or not last.is_dragged_to(now):
+        if self._possible is None or document.RedoCount or self._possible[1] != drawing:
             return False
-        start = poles = last.curve.control_points
+        start = poles = self._possible[0].control_points
         geometry = drawn_in(self.sketch, None)
         # restore the initial position of curves other than a single spline
         is_spline = len(geometry) == 1 and hasattr(geometry[0], "getPoles")
@@ -246,10 +245,10 @@ class Session:
         self.card.offer("", button=self.card.larger)
         self.overlay.show_nearest()
         self._geometry = geometry
+        gap = gap_of(*sketches.followers(self.sketch))
         try:
-            gap = gap_of(*sketches.followers(self.sketch))
             self._curve = sketch_curve(self.sketch, geometry, gap)
-            spec = self._spec()
+            spec = self._spec(self._curve)
             if self._scale is None:
                 self._scale = comb_scale(self._curve)
             picture = curve_picture(self._curve, spec, self._scale)
@@ -259,8 +258,8 @@ class Session:
             answer = refusal_answer(explained(error))
             if is_blank(self.sketch):
                 answer = Answer(Verdict.NOTHING, translate("Elastica", "no curve yet"), answer.sentence)
-            elif len(chains := curves_of_geometry(drawn_in(self.sketch, geometry))) > 1:
-                answer = self._show_several(chains, geometry)
+            elif len(chains := curves_of_geometry(drawn := drawn_in(self.sketch, geometry))) > 1:
+                answer = self._show_several(chains, drawn, gap)
             self._show_answer(answer)
             return
         self.overlay.show(picture)
@@ -270,17 +269,14 @@ class Session:
         self.times.append(time.thread_time() - began)
         self._rest.start()
 
-    def _show_several(self, chains: list[tuple[str, ...]], geometry: list[Any] | None) -> Answer:
-        geometry_drawn, gap = drawn_in(self.sketch, geometry), gap_of(*sketches.followers(self.sketch))
+    def _show_several(self, chains: list[tuple[str, ...]], drawn: list[Any], gap: float) -> Answer:
         pictures, titles, answers = [], [], []
         for number, names in enumerate(chains, 1):
             try:
-                curve, _ = plane_curve(
-                    [geometry_drawn[int(name[len("Edge") :]) - 1] for name in names], gap=gap
-                )
+                curve, _ = plane_curve([drawn[int(name[len("Edge") :]) - 1] for name in names], gap=gap)
                 if self._scale is None:
                     self._scale = comb_scale(curve)
-                pictures.append(curve_picture(curve, self._spec_along(names, curve), self._scale))
+                pictures.append(curve_picture(curve, self._spec(curve, names), self._scale))
             except FAILURES as error:
                 answers.append(refusal_answer(explained(error)))
                 continue
@@ -288,7 +284,7 @@ class Session:
             x, y = curve.sample(3).position[1].tolist()
             titles.append(((x, y), note("{number}: {words}", number=number, words=answers[-1].words)))
         self.overlay.show(*pictures, titles=titles)
-        worst = max((answer.verdict for answer in answers), key=SEVERITY.index)
+        worst = max((answer.verdict for answer in answers), key=list(Verdict).index)
         lines = [
             note("{number}: {words}", number=number, words=answer.sentence)
             for number, answer in enumerate(answers, 1)
@@ -297,28 +293,18 @@ class Session:
         words = note("strips can be bent into {count} of {total} curves", count=count, total=len(answers))
         return Answer(worst, words, sentences(lines, "\n"))
 
-    def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
-        if names not in self._asks_along:
-            spec = default_spec(curve)
-            for strip in sketches.followers(self.sketch):
-                if {*names} & {*strip.Curve[1]}:
-                    spec = spec_of(strip, drawn_curve(strip.Curve, strip))
-            self._asks_along[names] = spec
-        return self._asks_along[names]
-
     def _finish(self) -> None:
         if self._curve is None:
             return
         places = np.concatenate([self._curve.control_points, self._curve.sample(SEEN).position])
         self.card.keep_off([self._placement.multVec(App.Vector(x, y, 0)) for x, y in places.tolist()])
+        spec = self._spec(self._curve)
         try:
-            spec = self._spec().changed(curve=self._curve, limits=None, keep=None)
-            strip = solve_strip(spec)
+            strip = solve_strip(spec.changed(curve=self._curve, limits=None, keep=None))
         except FAILURES as error:
             self.overlay.show_width(())
             self._show_read(refusal_answer(explained(error)))
-            sheet, rest = self._asks.material, self._asks.natural_curvature
-            sharp = sharp_bend_message(sheet, *sharpest_bend(self._curve, rest))
+            sharp = sharp_bend_message(spec.material, *sharpest_bend(self._curve, spec.natural_curvature))
             if sharp is not None:
                 self._times = sharp.values["times"]
                 words = worded(note("Draw the curve {scale:g} times as large.", scale=self._times))
@@ -337,11 +323,12 @@ class Session:
 
         The search ignores rails, pins, ties and point forces, so it is not started with these.
         """
-        if self._asks.between or self._asks.rod_spec.point_forces:
+        spec = self._spec(self._curve)
+        if spec.between or spec.rod_spec.point_forces:
             return
         if self._asked is None or self._asked.done():
             self._asked_for = self._curve
-            near = self._asks.with_change(Change("nearest", True)) or self._asks
+            near = spec.with_change(Change("nearest", True)) or spec
             self._asked = begun(nearest_to_drag, near.changed(curve=self._curve).rod_spec)
         self.card.offer(translate("Elastica", SEARCHING), usable=False)
         self._answer.start()
@@ -371,13 +358,10 @@ class Session:
             replace(self.card.answer, sentence=sentences([message, self.card.answer.sentence], "\n"))
         )
 
-    def _spec(self) -> StripSpec:
-        if self._asks is None:
-            asks = default_spec(self._curve)
-            for strip in sketches.followers(self.sketch):
-                asks = spec_of(strip, drawn_curve(strip.Curve, strip))
-            self._asks = asks
-        return self._asks
+    def _spec(self, curve: PlaneCurve, edges: tuple[str, ...] = ()) -> StripSpec:
+        if edges not in self._asks:
+            self._asks[edges] = request_along(self.sketch, curve, edges)
+        return self._asks[edges]
 
     def _show_read(self, answer: Answer) -> None:
         read = read_line((self.sketch, ()), self._geometry)
@@ -389,46 +373,23 @@ class Session:
         self.sentence = worded(sentences([answer.sentence, cost], "\n"))
         self.card.show(answer, self.sentence, self.overlay.shown())
         if self._geometry is None:  # during a drag, the pole may still return to a possible position
-            self.card.allow_keep(self._why_not_kept(answer))
-
-    def _why_not_kept(self, answer: Answer) -> str:
-        if self._curve is None:
-            return translate("Elastica", "First draw a single curve.")
-        if answer.verdict is Verdict.CAN:
-            return ""
-        return (
-            translate("Elastica", "First use the nearest curve.")
-            if answer.curve_helps
-            else translate("Elastica", "First make the strip possible.")
-        )
+            why = ""
+            if self._curve is None:
+                why = translate("Elastica", "First draw a single curve.")
+            elif answer.verdict is not Verdict.CAN and answer.curve_helps:
+                why = translate("Elastica", "First use the nearest curve.")
+            elif answer.verdict is not Verdict.CAN:
+                why = translate("Elastica", "First make the strip possible.")
+            self.card.allow_keep(why)
 
 
-@dataclass(frozen=True, eq=False)
-class _Possible:
-    curve: PlaneCurve
-    constraints: list[tuple[str, float]]
-
-    def is_dragged_to(self, other: "_Possible") -> bool:
-        same = self.curve.control_points.shape == other.curve.control_points.shape
-        return same and self.constraints == other.constraints
-
-
-def _driving_constraints(sketch: Any) -> list[tuple[str, float]]:
-    return [(c.Type, c.Value) for c in sketch.Constraints if c.Driving and c.Type not in AUTOMATIC]
-
-
-class _OwnComb:
-    """FreeCAD's own curvature comb, switched off while the overlay is displayed."""
-
-    def __init__(self) -> None:
-        self._group = App.ParamGet(SKETCHER)
-        self._was = self._group.GetBool(OWN_COMB, True)
-        if self._was:
-            self._group.SetBool(OWN_COMB, False)
-
-    def restore(self) -> None:
-        if self._was:
-            self._group.SetBool(OWN_COMB, True)
+def request_along(sketch: Any, curve: PlaneCurve, edges: tuple[str, ...] = ()) -> StripSpec:
+    """Return the request of a strip that follows a sketch or its edges, or by default one for the curve."""
+    spec = default_spec(curve)
+    for strip in sketches.followers(sketch):
+        if not edges or {*edges} & {*strip.Curve[1]}:
+            spec = spec_of(strip)
+    return spec
 
 
 def session() -> Session | None:

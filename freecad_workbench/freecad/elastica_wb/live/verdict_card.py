@@ -47,7 +47,7 @@ class VerdictCard(QtCore.QObject):
         self,
         view: Any,
         use_nearest: Callable[[], None],
-        enlarge: Callable[[], None] | None = None,
+        enlarge: Callable[[], None],
         layout: Any = None,
     ) -> None:
         # without a drawing widget, use the area of all views
@@ -71,8 +71,7 @@ class VerdictCard(QtCore.QObject):
             translate("Elastica", "A dragged pole returns to the last position where the strip can be made")
         )
         self.button.clicked.connect(lambda *_: use_nearest())
-        if enlarge is not None:
-            self.larger.clicked.connect(lambda *_: enlarge())
+        self.larger.clicked.connect(lambda *_: enlarge())
         inside = QtWidgets.QVBoxLayout(self.box)
         inside.setContentsMargins(0, 0, 0, 0)
         inside.setSpacing(4)
@@ -93,23 +92,20 @@ class VerdictCard(QtCore.QObject):
     def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
         """Show a verdict. `counts` has the number of points of each part of the overlay."""
         with suppress(RuntimeError):  # the view may already be closed
-            self._show(answer, sentence, _legend(counts))
+            if self.box.parent() is None:
+                self._insert()
+            if self.answer is None or answer.verdict is not self.answer.verdict:
+                for label in (self.heading, self.verdict):
+                    label.setStyleSheet(heading_style(answer.verdict))
+            self.words.setText(sentence)
+            self.legend.setText(_legend(counts))
+            title = worded(answer.words)
+            if title != self._title:
+                self._title = title
+                self._place()
+            self._fit()
+            self.heading.show()
         self.answer = answer
-
-    def _show(self, answer: Answer, sentence: str, legend: str) -> None:
-        if self.box.parent() is None:
-            self._insert()
-        if self.answer is None or answer.verdict is not self.answer.verdict:
-            for label in (self.heading, self.verdict):
-                label.setStyleSheet(heading_style(answer.verdict))
-        self.words.setText(sentence)
-        self.legend.setText(legend)
-        title = worded(answer.words)
-        if title != self._title:
-            self._title = title
-            self._place()
-        self._fit()
-        self.heading.show()
 
     def _insert(self) -> None:
         """Insert the box into its layout, or below the messages of the sketcher if its panel is open."""

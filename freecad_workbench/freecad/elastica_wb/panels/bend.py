@@ -11,7 +11,7 @@ from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, way
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.live.preview import Preview
+from freecad.elastica_wb.live.preview import Handles, Preview
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_value, recorded
 
@@ -38,11 +38,10 @@ class BendPanel(Panel):
         self.rod = self.rest
         view = active_view()
         if view is not None:
-            self.preview = Preview(view, drawn_curve(obj.Curve, obj).world)
-            self.preview.add_handles(self.rest.position[[0, -1]], self.dragged)
+            world = drawn_curve(obj.Curve, obj).world
+            self.preview = Preview(view, world)
+            self.preview.handles = Handles(view, world, self.rest.position[[0, -1]], self.dragged)
             self._draw(self.rest)
-        for name in MOVES if feature is not None else ():
-            set_value(getattr(self.form, name), getattr(feature, name).Value)
         self.watch(*MOVES)
         self.form.play.clicked.connect(self.play)
         self.show_message(
@@ -51,6 +50,8 @@ class BendPanel(Panel):
             )
         )
         if feature is not None:
+            for name in MOVES:
+                set_value(getattr(self.form, name), getattr(feature, name).Value)
             self._safely_changed()
 
     def changed(self) -> None:

@@ -12,8 +12,9 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.part_shapes import make_solid
-from freecad.elastica_wb.cutting_files import usual_cutting
+from freecad.elastica_wb.cutting_files import cutting_of
 from freecad.elastica_wb.features.proxy import keep_sheets
+from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.fields import put_sheets, set_value
 from freecad.elastica_wb.host.qt import QtWidgets
 from freecad.elastica_wb.host.resources import translate
@@ -82,7 +83,13 @@ class CouponPanel(Panel):
 
     def write(self) -> None:
         """Write the cutting file of the coupon."""
-        sheet, cutting = sheet_called(self.value("sheet")), usual_cutting()
+        sheet = sheet_called(self.value("sheet"))
+        cutting = cutting_of(
+            kerf=preferences.get("Kerf"),
+            curves=preferences.get("Curves"),
+            tolerance=preferences.get("Tolerance"),
+            version=preferences.get("DxfVersion"),
+        )
         drawing = coupon_drawing(sheet)
         usual = cutting.file_name(file_word(drawing.name), "dxf")
         title, kinds = translate("Elastica", "Save the coupon"), "DXF (*.dxf);;SVG (*.svg)"

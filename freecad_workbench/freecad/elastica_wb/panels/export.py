@@ -124,17 +124,6 @@ class ExportPanel(Panel):
 
     def finished(self) -> None:
         """Write the files."""
-        try:
-            self._write()
-        except InputError as error:
-            if error.refusal.kind != "exists":
-                raise
-            raise InputError(
-                "{path} exists already. Choose another folder, or allow overwriting.",
-                path=error.refusal.values["path"],
-            ) from error
-
-    def _write(self) -> None:
         kinds = [kind for kind in KINDS if getattr(self.form, kind).isChecked()]
         if not self.form.folder.text().strip():
             self.browse()
@@ -144,18 +133,25 @@ class ExportPanel(Panel):
         # refuse relative paths, because users do not know FreeCAD's working folder
         if not folder.is_absolute():
             raise InputError(translate("Elastica", "Enter the full path of the folder, or press Browse."))
-        with progress(
-            QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
-        ) as go_on:
-            self.written = write_cutting_files(
-                self.strips,
-                folder,
-                kinds=kinds,
-                sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
-                cutting=self._cutting(),
-                force=self.form.force.isChecked(),
-                step=go_on,
-            )
+        title, count = QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
+        try:
+            with progress(title, count) as go_on:
+                self.written = write_cutting_files(
+                    self.strips,
+                    folder,
+                    kinds=kinds,
+                    sheet_size=(self.value("sheetWidth"), self.value("sheetHeight")),
+                    cutting=self._cutting(),
+                    force=self.form.force.isChecked(),
+                    step=go_on,
+                )
+        except InputError as error:
+            if error.refusal.kind != "exists":
+                raise
+            raise InputError(
+                "{path} exists already. Choose another folder, or allow overwriting.",
+                path=error.refusal.values["path"],
+            ) from error
         preferences.put("ExportFolder", str(folder))
         if self.written:
             show_files(self.written, [*self._kerf_notes(), *pre_bend_messages_of(cuts_of(self.strips))])

@@ -21,7 +21,7 @@ from freecad.elastica_wb.features.flexure import FlexureFeature, flexure_of
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip, suggestions
-from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
+from freecad.elastica_wb.features.strip_properties import PROPERTIES
 from freecad.elastica_wb.host.charts import line_chart
 from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
@@ -38,229 +38,12 @@ from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.report_rows import Row
 
 
-def _flat_footnote(obj: Any) -> str:
-    return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
-
-
-def _is_editable(name: str) -> Callable[[Any], bool]:
-    return lambda obj: "ReadOnly" not in obj.getEditorMode(name)
-
-
 def _has_value(name: str, *values: object) -> Callable[[Any], bool]:
     return lambda obj: getattr(obj, name) in values
 
 
 def _has_tabs(obj: Any) -> bool:
     return bool(obj.StartTab.Value or obj.EndTab.Value)
-
-
-STRIP = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Strip"),
-    "Elastica_Strip",
-    "Edit strip",
-    {
-        QT_TRANSLATE_NOOP("Elastica", "Sheet and width"): (
-            "Sheet",
-            "Thickness",
-            "MaxWidth",
-            "MinWidth",
-            "Smooth",
-            "AsDrawn",
-            "Anyway",
-        ),
-        QT_TRANSLATE_NOOP("Elastica", "Style"): ("Style", "OuterWidth", "Columns", "Rows", "Backing", "Form"),
-        QT_TRANSLATE_NOOP("Elastica", "Nearest curve"): (
-            "Follow",
-            "RatioLimit",
-            "MarginLimit",
-            "StrainLimit",
-            "KeepTangents",
-            "KeepLength",
-        ),
-        QT_TRANSLATE_NOOP("Elastica", "Ends and weight"): (
-            "StartSupport",
-            "EndSupport",
-            "Gravity",
-            "StartTab",
-            "EndTab",
-            "TabRadius",
-            "TabHole",
-            "EngravedText",
-            "Quantity",
-        ),
-    },
-    PROPERTIES,
-    {
-        "AsDrawn": lambda obj: not obj.Smooth.Value,
-        "MaxWidth": _has_value("Style", "Plain"),
-        "OuterWidth": _has_value("Style", *STYLES[1:]),
-        "Columns": _has_value("Style", "Perforated"),
-        "Rows": _has_value("Style", "Perforated"),
-        "Backing": _has_value("Style", "Laminated"),
-        "TabRadius": _has_tabs,
-        "TabHole": _has_tabs,
-        **dict.fromkeys(
-            ("RatioLimit", "MarginLimit", "StrainLimit", "KeepTangents", "KeepLength"),
-            _has_value("Follow", "Nearest"),
-        ),
-    },
-    "Curve",
-    strip_rows,
-    suggestions=suggestions,
-    footnote=lambda obj: obj.Held,
-)
-
-MODEL = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Model"),
-    "Elastica_Interlock",
-    "Edit model",
-    {QT_TRANSLATE_NOOP("Elastica", "Slots"): ("Interlock", "Clearance", "Fit", "Relief")},
-    ModelFeature.properties,
-    dict.fromkeys(("Clearance", "Fit", "Relief"), _has_value("Interlock", True)),
-    results=lambda obj: (Row(translate("Elastica", "Joints"), str(obj.Joints), ("Joints",)),),
-    footnote=lambda obj: "\n".join(obj.Overlaps),
-)
-
-FLAT = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Flat part"),
-    "Elastica_Flat",
-    "Edit flat part",
-    {QT_TRANSLATE_NOOP("Elastica", "Flat part"): ("Layer",)},
-    FlatFeature.properties,
-    footnote=_flat_footnote,
-)
-
-FIXTURES = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "End fixtures"),
-    "Elastica_Fixtures",
-    "Edit fixtures",
-    {QT_TRANSLATE_NOOP("Elastica", "Printed blocks"): ("Clearance", "Wall", "Foot", "FootHeight", "Screw")},
-    FixturesFeature.properties,
-    {name: lambda obj: bool(obj.Foot.Value) for name in ("FootHeight", "Screw")},
-)
-
-BASE_PLATE = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Base plate"),
-    "Elastica_Fixtures",
-    "Edit base plate",
-    {QT_TRANSLATE_NOOP("Elastica", "Base plate"): ("Sheet", "Play", "Clearance", "Border", "Outline")},
-    BasePlateFeature.properties,
-)
-
-RINGS = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Rings"),
-    "Elastica_Fixtures",
-    "Edit rings",
-    {
-        QT_TRANSLATE_NOOP("Elastica", "Rings"): (
-            "Sheet",
-            "Ends",
-            "Gap",
-            "Outline",
-            "Play",
-            "Clearance",
-            "Border",
-        )
-    },
-    RingsFeature.properties,
-)
-
-NEST = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Nest on sheets"),
-    "Elastica_Nest",
-    "Edit nest",
-    {QT_TRANSLATE_NOOP("Elastica", "Sheets"): ("SheetWidth", "SheetHeight", "Margin")},
-    NestFeature.properties,
-    results=lambda obj: (Row(translate("Elastica", "Sheets"), str(obj.Sheets), ("Sheets",)),),
-    footnote=lambda obj: "\n".join(obj.LeftOut),
-)
-
-NEAREST = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Nearest curve"),
-    "Elastica_Nearest",
-    "Nearest curve to sketch",
-    {
-        QT_TRANSLATE_NOOP("Elastica", "Limits"): (
-            "Sheet",
-            "Thickness",
-            "RatioLimit",
-            "LimitMargin",
-            "MarginLimit",
-            "LimitStrain",
-            "StrainLimit",
-        ),
-        QT_TRANSLATE_NOOP("Elastica", "Keep"): ("KeepEnds", "KeepTangents", "KeepLength", "KeepSymmetry"),
-        QT_TRANSLATE_NOOP("Elastica", "Ends and weight"): ("StartSupport", "EndSupport", "Gravity"),
-    },
-    NearestFeature.properties,
-    {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
-    "Curve",
-    lambda obj: (
-        Row(
-            translate("Elastica", "Largest distance"),
-            note("{far}", far=Length(obj.Deviation.Value)),
-            ("Deviation",),
-        ),
-        Row(translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), ("Ratio",)),
-    ),
-    (
-        (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),
-        (QT_TRANSLATE_NOOP("Elastica", "Make a sketch to edit"), nearest_sketch),
-    ),
-)
-
-SECTION = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Section into curves"),
-    "Elastica_Section",
-    "Section into curves",
-    {
-        QT_TRANSLATE_NOOP("Elastica", "Planes"): (
-            "Family",
-            "Axis",
-            "Count",
-            "ThroughX",
-            "ThroughY",
-            "ThroughZ",
-            "Sweep",
-        ),
-        QT_TRANSLATE_NOOP("Elastica", "Curves"): ("Closed", "Tolerance", "Waves"),
-    },
-    SectionFeature.properties,
-    {
-        "Axis": _has_value("Family", *FAMILIES[:2]),
-        "Path": _has_value("Family", FAMILIES[2]),
-        **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _has_value("Family", FAMILIES[1])),
-    },
-    "Path",
-    lambda obj: (Row(translate("Elastica", "Curves"), str(obj.Curves), ("Curves",)),),
-    ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
-)
-
-FLEXURE = Layout(
-    QT_TRANSLATE_NOOP("Elastica", "Two-state part"),
-    "Elastica_Flexure",
-    "Two-state part",
-    {
-        QT_TRANSLATE_NOOP("Elastica", "Sheet"): ("Sheet", "Thickness", "Printed", "Form"),
-        QT_TRANSLATE_NOOP("Elastica", "Curves"): ("Match", "Smooth", "Free", "Objective"),
-        QT_TRANSLATE_NOOP("Elastica", "Part"): (
-            "LeastThickness",
-            "PushAt",
-            "Fillet",
-            "PadLength",
-            "PadWidth",
-            "PadHole",
-            "PadInset",
-            "Anyway",
-            "EngravedText",
-            "Quantity",
-        ),
-    },
-    FlexureFeature.properties,
-    {name: _is_editable(name) for name in ("Objective", "PushAt")},
-    results=lambda obj: pair_rows(flexure_of(obj)),
-    picture=lambda obj: _force_chart(flexure_of(obj)),
-)
 
 
 def _force_chart(part: Flexure) -> Any:
@@ -276,17 +59,213 @@ def _force_chart(part: Flexure) -> Any:
 
 
 LAYOUTS = {
-    "Flexure": FLEXURE,
-    "Strip": STRIP,
-    "Model": MODEL,
-    "Flat": FLAT,
-    "Fixtures": FIXTURES,
-    "BasePlate": BASE_PLATE,
-    "Rings": RINGS,
-    "Nest": NEST,
-    "Nearest": NEAREST,
-    "Section": SECTION,
+    "Strip": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Strip"),
+        "Elastica_Strip",
+        "Edit strip",
+        {
+            QT_TRANSLATE_NOOP("Elastica", "Sheet and width"): (
+                "Sheet",
+                "Thickness",
+                "MaxWidth",
+                "MinWidth",
+                "Smooth",
+                "AsDrawn",
+                "Anyway",
+            ),
+            QT_TRANSLATE_NOOP("Elastica", "Style"): (
+                "Style",
+                "OuterWidth",
+                "Columns",
+                "Rows",
+                "Backing",
+                "Form",
+            ),
+            QT_TRANSLATE_NOOP("Elastica", "Nearest curve"): (
+                "Follow",
+                "RatioLimit",
+                "MarginLimit",
+                "StrainLimit",
+                "KeepTangents",
+                "KeepLength",
+            ),
+            QT_TRANSLATE_NOOP("Elastica", "Ends and weight"): (
+                "StartSupport",
+                "EndSupport",
+                "Gravity",
+                "StartTab",
+                "EndTab",
+                "TabRadius",
+                "TabHole",
+                "EngravedText",
+                "Quantity",
+            ),
+        },
+        PROPERTIES,
+        {
+            "AsDrawn": lambda obj: not obj.Smooth.Value,
+            "TabRadius": _has_tabs,
+            "TabHole": _has_tabs,
+        },
+        "Curve",
+        strip_rows,
+        suggestions=suggestions,
+        footnote=lambda obj: obj.Held,
+    ),
+    "Model": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Model"),
+        "Elastica_Interlock",
+        "Edit model",
+        {QT_TRANSLATE_NOOP("Elastica", "Slots"): ("Interlock", "Clearance", "Fit", "Relief")},
+        ModelFeature.properties,
+        dict.fromkeys(("Clearance", "Fit", "Relief"), _has_value("Interlock", True)),
+        results=lambda obj: (Row(translate("Elastica", "Joints"), str(obj.Joints), ("Joints",)),),
+        footnote=lambda obj: "\n".join(obj.Overlaps),
+    ),
+    "Flat": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Flat part"),
+        "Elastica_Flat",
+        "Edit flat part",
+        {QT_TRANSLATE_NOOP("Elastica", "Flat part"): ("Layer",)},
+        FlatFeature.properties,
+        footnote=lambda obj: "\n".join(
+            map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))]))
+        ),
+    ),
+    "Fixtures": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "End fixtures"),
+        "Elastica_Fixtures",
+        "Edit fixtures",
+        {
+            QT_TRANSLATE_NOOP("Elastica", "Printed blocks"): (
+                "Clearance",
+                "Wall",
+                "Foot",
+                "FootHeight",
+                "Screw",
+            )
+        },
+        FixturesFeature.properties,
+        {name: lambda obj: bool(obj.Foot.Value) for name in ("FootHeight", "Screw")},
+    ),
+    "BasePlate": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Base plate"),
+        "Elastica_Fixtures",
+        "Edit base plate",
+        {QT_TRANSLATE_NOOP("Elastica", "Base plate"): ("Sheet", "Play", "Clearance", "Border", "Outline")},
+        BasePlateFeature.properties,
+    ),
+    "Rings": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Rings"),
+        "Elastica_Fixtures",
+        "Edit rings",
+        {
+            QT_TRANSLATE_NOOP("Elastica", "Rings"): (
+                "Sheet",
+                "Ends",
+                "Gap",
+                "Outline",
+                "Play",
+                "Clearance",
+                "Border",
+            )
+        },
+        RingsFeature.properties,
+    ),
+    "Nest": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Nest on sheets"),
+        "Elastica_Nest",
+        "Edit nest",
+        {QT_TRANSLATE_NOOP("Elastica", "Sheets"): ("SheetWidth", "SheetHeight", "Margin")},
+        NestFeature.properties,
+        results=lambda obj: (Row(translate("Elastica", "Sheets"), str(obj.Sheets), ("Sheets",)),),
+        footnote=lambda obj: "\n".join(obj.LeftOut),
+    ),
+    "Nearest": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Nearest curve"),
+        "Elastica_Nearest",
+        "Nearest curve to sketch",
+        {
+            QT_TRANSLATE_NOOP("Elastica", "Limits"): (
+                "Sheet",
+                "Thickness",
+                "RatioLimit",
+                "LimitMargin",
+                "MarginLimit",
+                "LimitStrain",
+                "StrainLimit",
+            ),
+            QT_TRANSLATE_NOOP("Elastica", "Keep"): ("KeepEnds", "KeepTangents", "KeepLength", "KeepSymmetry"),
+            QT_TRANSLATE_NOOP("Elastica", "Ends and weight"): ("StartSupport", "EndSupport", "Gravity"),
+        },
+        NearestFeature.properties,
+        {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
+        "Curve",
+        lambda obj: (
+            Row(
+                translate("Elastica", "Largest distance"),
+                note("{far}", far=Length(obj.Deviation.Value)),
+                ("Deviation",),
+            ),
+            Row(translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), ("Ratio",)),
+        ),
+        (
+            (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),
+            (QT_TRANSLATE_NOOP("Elastica", "Make a sketch to edit"), nearest_sketch),
+        ),
+    ),
+    "Section": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Section into curves"),
+        "Elastica_Section",
+        "Section into curves",
+        {
+            QT_TRANSLATE_NOOP("Elastica", "Planes"): (
+                "Family",
+                "Axis",
+                "Count",
+                "ThroughX",
+                "ThroughY",
+                "ThroughZ",
+                "Sweep",
+            ),
+            QT_TRANSLATE_NOOP("Elastica", "Curves"): ("Closed", "Tolerance", "Waves"),
+        },
+        SectionFeature.properties,
+        {
+            "Axis": _has_value("Family", *FAMILIES[:2]),
+            "Path": _has_value("Family", FAMILIES[2]),
+            **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _has_value("Family", FAMILIES[1])),
+        },
+        "Path",
+        lambda obj: (Row(translate("Elastica", "Curves"), str(obj.Curves), ("Curves",)),),
+        ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
+    ),
+    "Flexure": Layout(
+        QT_TRANSLATE_NOOP("Elastica", "Two-state part"),
+        "Elastica_Flexure",
+        "Two-state part",
+        {
+            QT_TRANSLATE_NOOP("Elastica", "Sheet"): ("Sheet", "Thickness", "Printed", "Form"),
+            QT_TRANSLATE_NOOP("Elastica", "Curves"): ("Match", "Smooth", "Free", "Objective"),
+            QT_TRANSLATE_NOOP("Elastica", "Part"): (
+                "LeastThickness",
+                "PushAt",
+                "Fillet",
+                "PadLength",
+                "PadWidth",
+                "PadHole",
+                "PadInset",
+                "Anyway",
+                "EngravedText",
+                "Quantity",
+            ),
+        },
+        FlexureFeature.properties,
+        results=lambda obj: pair_rows(flexure_of(obj)),
+        picture=lambda obj: _force_chart(flexure_of(obj)),
+    ),
 }
+"""Definition of the panel for each kind of feature."""
 
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:

@@ -7,7 +7,7 @@ from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.fields import bind, put_sheets, set_value
+from freecad.elastica_wb.host.fields import bind, put_away, put_sheets, set_value
 from freecad.elastica_wb.host.objects import is_plate
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
@@ -73,13 +73,20 @@ class FixturesPanel(Panel):
             if failed:
                 raise InputError(failed)
 
+    def let_go(self) -> None:
+        """Delete the boxes, because their formulas refer to features of the document."""
+        for _, boxes in HOLDERS.values():
+            for box in boxes.values():
+                put_away(getattr(self.form, box))
+
     def _chosen(self) -> list[str]:
         return [kind for kind in HOLDERS if self.value(kind)]
 
     def _begin(self, *_: Any) -> None:
         """Make the ticked features without their shapes, so that formulas of the boxes have properties."""
-        for kind in self._chosen():
-            if kind not in self.holders:
+        with self.telling():
+            self._all_there()
+            for kind in [kind for kind in self._chosen() if kind not in self.holders]:
                 make, boxes = HOLDERS[kind]
                 self.holders[kind] = recorded(make, self.document, self.sources)
                 for name, box in boxes.items():

@@ -10,8 +10,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.curves.part_shapes import is_bounded
-from freecad.elastica_wb.curves.sketch_curves import container
+from freecad.elastica_wb.curves.sketch_curves import boxes_of
 from freecad.elastica_wb.host.fields import calm, into_sight, on_change, put_text, set_value, value_of
 from freecad.elastica_wb.host.objects import document_lives, lives
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets, later
@@ -22,7 +21,6 @@ from freecad.elastica_wb.live import session as live
 from freecad.elastica_wb.recording import record_recompute
 from freecad.elastica_wb.undo_steps import active_step, close_step, forget_step, open_step
 
-from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
 # delay, ms, between the last key and the computation of the results
@@ -124,14 +122,6 @@ class Panel:
         buttons = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in buttons)
 
-    def isAllowedAlterSelection(self) -> bool:
-        """Return True: the user may select objects while the panel is open."""
-        return True
-
-    def isAllowedAlterView(self) -> bool:
-        """Return True: the user may change the view while the panel is open."""
-        return True
-
     def changed(self) -> None:
         """Compute and show the results for the current values of the widgets."""
 
@@ -149,7 +139,7 @@ class Panel:
 
     def show_message(self, sentence: str) -> None:
         """Show a message in the panel, with lengths in the unit that FreeCAD displays."""
-        self.form.message.setText(printable(worded(sentence)))
+        self.form.message.setText(worded(sentence))
 
     @contextmanager
     def telling(self) -> Iterator[None]:
@@ -222,10 +212,8 @@ def active_view() -> Any:
 def bring_into_view(objects: Iterable[Any]) -> None:
     """Show the whole document if an object, or a source of it, is not completely in the 3D view."""
     view = active_view()
-    sources = {source for obj in objects for source in (obj, *obj.OutList) if hasattr(source, "Shape")}
-    shapes = [source for source in sources if is_bounded(source.Shape.BoundBox)]
-    boxes = [obj.Shape.BoundBox.transformed(container(obj).toMatrix()) for obj in shapes]
-    corners = [box.getPoint(i) for box in boxes for i in range(8)]
+    sources = {source for obj in objects for source in (obj, *obj.OutList)}
+    corners = [box.getPoint(i) for box in boxes_of(sources) for i in range(8)]
     if view is None or not corners:
         return
     limits, places = view.getSize(), [view.getPointOnScreen(corner) for corner in corners]

@@ -9,20 +9,17 @@ import numpy as np
 from freecad.elastica_wb.curves.sketch_curves import (
     box_around,
     curve_into,
-    drawn_curve,
     evened,
     lost_constraints,
     sketch_curve,
 )
-from freecad.elastica_wb.features.strip_properties import spec_of
 from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.curve_picture import curve_picture
-from freecad.elastica_wb.live.preview import Preview
-from freecad.elastica_wb.live.sketches import followers
+from freecad.elastica_wb.live.preview import Handles, Preview
+from freecad.elastica_wb.live.session import request_along
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import recorded
-from freecad.elastica_wb.solving.strip_cache import default_spec
 from freecad.elastica_wb.solving.verdicts import answer_of
 
 from elastica_cad._types import FloatArray
@@ -51,8 +48,9 @@ class ProjectivePanel(Panel):
         self.lost = lost_constraints(sketch)
         view = active_view()
         if view is not None:
-            self.preview = Preview(view, sketch.getGlobalPlacement())
-            self.preview.add_handles(self.corners, self.dragged)
+            place = sketch.getGlobalPlacement()
+            self.preview = Preview(view, place)
+            self.preview.handles = Handles(view, place, self.corners, self.dragged)
         self.watch(*FIELDS)
         self.form.reset.clicked.connect(self.reset)
         self.reset()
@@ -97,8 +95,7 @@ class ProjectivePanel(Panel):
 
     def _spec(self) -> StripSpec:
         if self._asks is None:
-            specs = (spec_of(strip, drawn_curve(strip.Curve, strip)) for strip in followers(self.sketch))
-            self._asks = next(specs, default_spec(self.drawn))
+            self._asks = request_along(self.sketch, self.drawn)
         return self._asks.changed(curve=self.curve, limits=None, keep=None)
 
     def _draw(self) -> None:

@@ -79,7 +79,8 @@ class Layout:
     table : tuple of Property
         Declarations of the properties.
     applies : mapping
-        Function for each property that returns True if the property has an effect and is shown.
+        Functions that return True if a property has an effect and is shown, by property. Read-only properties
+        are never shown.
     source : str
         Property with a curve that the user can pick again, or "".
     results : callable
@@ -251,7 +252,10 @@ class PropertyPanel(Panel):
         if obj is self.object and name in self.fields and not self._writing:
             # discard the typed value, because the value of a formula is newer
             self._touched.pop(name, None)
-            self._refill(name)
+            widget = self.fields[name]
+            if isinstance(widget, QtWidgets.QComboBox):
+                put_choices_of(widget, obj, name)
+            set_value(widget, _plain(getattr(obj, name)))
         self._refresh.start()
 
     def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
@@ -278,12 +282,6 @@ class PropertyPanel(Panel):
         self._touched[name] = None
         self.soon()
 
-    def _refill(self, name: str) -> None:
-        widget = self.fields[name]
-        if isinstance(widget, QtWidgets.QComboBox):
-            put_choices_of(widget, self.object, name)
-        set_value(widget, _plain(getattr(self.object, name)))
-
     def _show(self) -> None:
         if self.form is None or not all(map(lives, self.subjects)):
             return
@@ -293,7 +291,11 @@ class PropertyPanel(Panel):
         failed = bool(why_not_made(obj))
         rows = () if failed else layout.results(obj)
         self.form.numbers.setToolTip(
-            _tip(f"{worded(row.label)}: {self._explained(row)}" for row in rows if row.details)
+            _tip(
+                f"{worded(row.label)}: {' '.join(self.helps.get(part) or worded(part) for part in row.details)}"
+                for row in rows
+                if row.details
+            )
         )
         self.form.numbers.setText(table_of(rows))
         self.form.numbers.setVisible(bool(rows))
@@ -317,12 +319,10 @@ class PropertyPanel(Panel):
             self._show_if_used(layout.source, self.form.sourceLabel, self.form.source, self.form.pick)
 
     def _show_if_used(self, name: str, *widgets: Any) -> None:
-        used = name not in self.layout.applies or self.layout.applies[name](self.object)
+        applies = self.layout.applies.get(name)
+        used = "ReadOnly" not in self.object.getEditorMode(name) and (not applies or applies(self.object))
         for widget in widgets:
             widget.setVisible(used)
-
-    def _explained(self, row: Row) -> str:
-        return " ".join(self.helps.get(detail) or worded(detail) for detail in row.details)
 
     def _words(self) -> str:
         obj = self.object

@@ -4,7 +4,7 @@
 """The panel for rails, pins, ties and loads of a strip, which are placed by clicks, dragging or numbers."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import FreeCAD as App
@@ -46,29 +46,18 @@ UNITS = {"mass": 1e-3, "forceX": 1e3, "forceY": 1e3}
 """Size of the units g and N in FreeCAD's base units of mass and force."""
 
 
-@dataclass(frozen=True)
-class Kind:
-    """A kind of rail, pin, tie or load.
+TIE = QT_TRANSLATE_NOOP("Elastica", "Tie (cord)")
 
-    `clicks` is the number of clicks that place an object. `make` creates the object from the points (x, y) of
-    the clicks and their distances along the curve, mm.
-    """
-
-    clicks: int
-    make: Callable[[Places, list[float]], Acting]
-
-
-KINDS = {
-    QT_TRANSLATE_NOOP("Elastica", "Rail (bar on one side)"): Kind(1, lambda points, _: Rail(points[0])),
-    QT_TRANSLATE_NOOP("Elastica", "Slot (two bars)"): Kind(
-        1, lambda points, _: Rail(points[0], one_sided=False)
-    ),
-    QT_TRANSLATE_NOOP("Elastica", "Pin (the strip turns)"): Kind(1, lambda points, _: Pin(points[0])),
-    QT_TRANSLATE_NOOP("Elastica", "Tie (cord)"): Kind(2, lambda _, places: Tie(*sorted(places))),
-    QT_TRANSLATE_NOOP("Elastica", "Force"): Kind(1, lambda _, places: PointForce(places[0], USUAL_FORCE_N)),
-    QT_TRANSLATE_NOOP("Elastica", "Hung mass"): Kind(1, lambda _, places: PointMass(places[0], USUAL_MASS_G)),
+KINDS: dict[str, Callable[[Places, list[float]], Acting]] = {
+    QT_TRANSLATE_NOOP("Elastica", "Rail (bar on one side)"): lambda points, _: Rail(points[0]),
+    QT_TRANSLATE_NOOP("Elastica", "Slot (two bars)"): lambda points, _: Rail(points[0], one_sided=False),
+    QT_TRANSLATE_NOOP("Elastica", "Pin (the strip turns)"): lambda points, _: Pin(points[0]),
+    TIE: lambda _, places: Tie(*sorted(places)),
+    QT_TRANSLATE_NOOP("Elastica", "Force"): lambda _, places: PointForce(places[0], USUAL_FORCE_N),
+    QT_TRANSLATE_NOOP("Elastica", "Hung mass"): lambda _, places: PointMass(places[0], USUAL_MASS_G),
 }
-"""Kinds of rails, pins, ties and loads.
+"""Functions that make rails, pins, ties and loads from the points (x, y) of the user's clicks, and from their
+distances along the curve, mm. A tie needs two clicks.
 
 When the curve changes, rails and pins stay in place. Ties and loads keep their positions as fractions of the
 length.
@@ -150,16 +139,16 @@ class RailsPanel(Panel):
 
     def clicked(self, point: tuple[float, float]) -> None:
         """Add a rail, pin, tie or load at a point in the plane of the curve. A tie needs two points."""
-        kind = KINDS[self.value("kind")]
+        kind = self.value("kind")
         with self.telling():
             self._distance(point)
             self._clicked.append(point)
-            if len(self._clicked) < kind.clicks:
+            if kind == TIE and len(self._clicked) == 1:
                 self.show_message(translate("Elastica", "Click the other end of the cord."))
                 return
             points, self._clicked = self._clicked, []
             places = [self._distance(clicked) for clicked in points]
-            item = kind.make([self._point(place) for place in places], places)
+            item = KINDS[kind]([self._point(place) for place in places], places)
             set_value(self.form.pick, False)
             self._picking(False)
             if isinstance(item, PointMass):

@@ -9,7 +9,6 @@ from dataclasses import replace
 from functools import lru_cache, wraps
 from typing import Any, NamedTuple, TypeVar
 
-import numpy as np
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid, make_wire
 from freecad.elastica_wb.curves.sketch_curves import MOST_DRAGGED
@@ -25,10 +24,9 @@ from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature
+from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.section_limits import STRAIN_SLACK
+from elastica_cad.mechanics.section_limits import STRAIN_SLACK, sharpest_bend
 from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.held_shape import HeldShape
@@ -61,24 +59,6 @@ def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
         return result
 
     return result_or_error
-
-
-STEPS, FINER = 641, 21
-
-
-def sharpest_bend(
-    curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
-) -> tuple[float, float]:
-    """Return the largest change of curvature, 1/mm, from unbent strip to curve, and its position, mm."""
-    samples = curve.sample(STEPS) if samples is None else samples
-    s, t = samples.s, samples.t
-    most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
-    fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
-    # strip and curve have the same length, so positions along both are equal
-    places = np.append(np.interp(fine, t, s), s[-1])
-    bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
-    best = int(np.argmax(bend))
-    return float(bend[best]), float(places[best])
 
 
 MANY_HOLES = 100
@@ -123,19 +103,9 @@ def _shared_request(spec: StripSpec) -> StripSpec:
     return spec
 
 
-def find_nearest(spec: RodSpec) -> NearestRod:
-    """Return the nearest rod within the limits of a request."""
-    return in_background(SEARCHING, find_rod, spec)
-
-
-def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
-    """Return the nearest rod whose curve, as a spline, is within the limits."""
-    return in_background(SEARCHING, find_nearest_now, spec)
-
-
 @remembered
 def find_nearest_now(spec: RodSpec) -> NearestRod:
-    """Do the work of `find_nearest_to_draw` in this thread, without a progress bar.
+    """Return the nearest rod whose curve, as a spline, is within the limits.
 
     The curvature of the spline differs from the rod's curvature by a few thousandths. Therefore the limits of
     the rod are tightened.
@@ -178,17 +148,12 @@ class DraggableCurve(NamedTuple):
     cost: str
 
 
-def find_nearest_to_drag(spec: RodSpec) -> DraggableCurve:
+@remembered
+def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
     """Return a nearest curve with few enough poles for dragging.
 
     If no such curve is within the limits, return the nearest curve with all poles.
     """
-    return in_background(SEARCHING, nearest_to_drag, spec)
-
-
-@remembered
-def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
-    """Do the work of `find_nearest_to_drag` in this thread, without a progress bar."""
     nearest = find_nearest_now(spec)
     most = len(nearest.curve.control_points)
     if not nearest.met or most <= MOST_DRAGGED:
@@ -202,7 +167,7 @@ def nearest_to_drag(spec: RodSpec) -> DraggableCurve:
         with suppress(NotConvergedError):
             for curve in coarse_curves(near.rod, SPANS) if near.met and near.deviation <= farthest else ():
                 if _is_within_limits(replace(spec, curve=curve)):
-                    far = measure_deviation(target, curve.sample(STEPS).position)
+                    far = measure_deviation(target, curve.sample(DRAWN_POINTS).position)
                     return DraggableCurve(near, curve, far, note(
                         "The new curve has {count} poles and is {far} from the original curve. With {most} "
                         "poles, too many to drag, the distance would be {near}.",
@@ -224,9 +189,9 @@ def _is_within_limits(spec: RodSpec) -> bool:
         if find_rod(replace(spec, limits=None, keep=None)).ratio > ratio * (1 + STRAIN_SLACK):
             return False
         again = find_rod(spec)
+        return bool(again.met and again.deviation <= AS_DRAWN_MM)
     except ElasticaError:
         return False
-    return bool(again.met and again.deviation <= AS_DRAWN_MM)
 
 
 def judged(rod: Rod) -> Stability | None:

@@ -10,7 +10,7 @@ from enum import Enum
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import together
-from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend, solve_strip
+from freecad.elastica_wb.solving.strip_cache import judged, solve_strip
 
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import (
@@ -22,9 +22,9 @@ from elastica_cad.errors import (
     note,
     sentences,
 )
-from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain, sharp_bend_message
+from elastica_cad.mechanics.section_limits import sharp_bend_message, sharpest_bend
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, lengths
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -65,8 +65,9 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
     """Yield the faults of a strip."""
     if (wide := width_fault(strip.rod.length, strip.width.extremes[1])) is not None:
         yield wide
-    if not strip.strain_verdict.allowed:
-        yield Fault(strain_words(strip.strain_verdict), strip.strain_warnings[0], "LargestStrain")
+    if not (strain := strip.strain_verdict).allowed:
+        words = _strain_words(strain.percent, breaks=strain.refused)
+        yield Fault(words, strip.strain_warnings[0], "LargestStrain")
     stability = judged(strip.rod)
     if stability is not None and not stability.stable:
         sentence = note(
@@ -104,13 +105,12 @@ def width_fault(length: float, width: float | None) -> Fault | None:
     return Fault(note("too short for its width"), sentence, "Length")
 
 
-def strain_words(verdict: StrainVerdict) -> str:
-    """Return a short description of a strain that is not allowed."""
+def _strain_words(percent: int, *, breaks: bool) -> str:
     return note(
         "would break: {percent} % of the strain limit"
-        if verdict.refused
+        if breaks
         else "strain too large: {percent} % of the strain limit",
-        percent=verdict.percent,
+        percent=percent,
     )
 
 
@@ -125,12 +125,12 @@ def pre_bend_messages(named_strips: Iterable[tuple[str, Strip]]) -> list[str]:
 
 
 class Verdict(Enum):
-    """Possible results of the check of a curve."""
+    """Possible results of the check of a curve, in order of severity."""
 
+    NOTHING = "nothing"
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    NOTHING = "nothing"
 
 
 @dataclass(frozen=True)
@@ -143,13 +143,15 @@ class Answer:
     curve_helps: bool = True
 
 
-def quick_answer(
-    curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
-) -> Answer:
+def quick_answer(curve: PlaneCurve, spec: StripSpec, check: EquilibriumCheck) -> Answer:
     """Return the result of the fast checks: equilibrium, surface strain, widths."""
     if check.undecided is not None or not check.realizable:
         return _impossible(check)
-    fault = width_fault(check.length, spec.max_width) or _too_sharp(curve, samples, spec)
+    fault = width_fault(check.length, spec.max_width)
+    sharp = sharp_bend_message(spec.material, *sharpest_bend(curve, spec.natural_curvature))
+    if fault is None and sharp is not None:
+        words = _strain_words(sharp.values["percent"], breaks=sharp.values["breaks"])
+        fault = Fault(words, sharp, "LargestStrain")
     return _failing([fault]) if fault else Answer(Verdict.CAN, translate("Elastica", "can"), check.verdict)
 
 
@@ -168,7 +170,14 @@ def strip_answer(strip: Strip) -> Answer:
         return _failing(faults)
     if check is not None and check.undecided is not None:
         return _impossible(check)
-    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(strip))
+    sentence = note(
+        "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} "
+        "% of the sheet's limit." if is_bent_beforehand(strip) else
+        "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
+        "of the sheet's limit.",
+        width=Span.of(*strip.width.extremes), ratio=strip.rod.ratio, used=strip.strain_verdict.percent,
+    )  # fmt: skip
+    return Answer(Verdict.CAN, translate("Elastica", "can"), sentence)
 
 
 def _failing(faults: list[Fault]) -> Answer:
@@ -186,22 +195,11 @@ def refusal_answer(error: ElasticaError) -> Answer:
         return _impossible(error.check)
     sentence = str(error)
     words = (
-        note("would break: {percent} % of the strain limit", percent=error.refusal.values["percent"])
+        _strain_words(error.refusal.values["percent"], breaks=True)
         if isinstance(error, StrainError)
         else note("cannot be made: {reason}", reason=sentence)
     )
     return Answer(Verdict.BREAKS, words, sentence)
-
-
-def sentence_of(strip: Strip) -> str:
-    """Return a sentence on a strip that can be made."""
-    return note(
-        "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} "
-        "% of the sheet's limit." if is_bent_beforehand(strip) else
-        "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
-        "of the sheet's limit.",
-        width=Span.of(*strip.width.extremes), ratio=strip.rod.ratio, used=strip.strain_verdict.percent,
-    )  # fmt: skip
 
 
 def _impossible(check: EquilibriumCheck) -> Answer:
@@ -224,14 +222,3 @@ def _impossible(check: EquilibriumCheck) -> Answer:
     else:
         words = reason
     return Answer(Verdict.CANNOT, note("cannot: {reason}", reason=words), reason)
-
-
-def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fault | None:
-    sheet = spec.material
-    bend, place = sharpest_bend(curve, spec.natural_curvature, samples)
-    message = sharp_bend_message(sheet, bend, place)
-    if message is None:
-        return None
-    return Fault(
-        strain_words(judge_strain(sheet, bend * sheet.thickness / 2, place)), message, "LargestStrain"
-    )
