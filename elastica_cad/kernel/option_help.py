@@ -83,23 +83,20 @@ def _checked(function: Callable[..., Any], given: Signature, written: Signature)
         [name for name, entry in written.parameters.items() if entry.kind is kind]
         for kind in (Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY)
     )
+    public = [name for name in placed if name != "self"]
+    hint = (
+        f"takes {' and '.join(public) or 'no argument'} by position. Pass other arguments by name, "
+        f"such as {named[0]}=..."
+    )
 
     @wraps(function)
     def call(*args: Any, **options: Any) -> Any:
         try:
             given.bind(*args, **options)
         except TypeError as error:
-            problem, owner = str(error), ""
-            public = [name for name in placed if name != "self"]
-            if public != placed:
-                owner = f"{type(args[0]).__name__}."
-            if len(args) > len(placed) and named:
-                problem = (
-                    f"takes {' and '.join(public) or 'no argument'} by position. Pass other arguments by name, "
-                    f"such as {named[0]}=..."
-                )
+            owner = "" if public == placed else f"{type(args[0]).__name__}."
             name = f"{owner}{function.__name__}".removesuffix(".__init__")
-            raise TypeError(f"{name}: {problem}") from None
+            raise TypeError(f"{name}: {hint if len(args) > len(placed) else error}") from None
         return function(*args, **options)
 
     return call
