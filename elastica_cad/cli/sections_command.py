@@ -186,7 +186,14 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     ]
     if chosen["sheet"] is not None:
         mesh_table = {"mesh": seen_from(str(mesh), output)} | size_options
-        text = compose_section_design(name, mesh_table, spec, _strip_keys(chosen, output))
+        sheet = chosen["sheet"]
+        keys = {
+            "sheet": seen_from(sheet, output) if ".toml" in sheet else sheet, "thickness": chosen["thickness"],
+            "max_width": chosen["max_width"], "limits": given_of(chosen, ("ratio", "margin")),
+            "gravity": chosen["gravity"] or None,
+            "stand": None if chosen["stand"] == "none" else {"sheet": chosen["stand"]},
+        }  # fmt: skip
+        text = compose_section_design(name, mesh_table, spec, given_of(keys, keys))
         files.append(text_file(f"{name}.toml", text))
     wrote(write_files(files, output, force=force))
     if chosen["sheet"] is None:
@@ -265,17 +272,6 @@ def _up(chosen: Chosen, along: Any) -> Triple:
     upright = np.abs(along[:2]).max() <= 1e-9 * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
-
-
-def _strip_keys(chosen: Chosen, output: Path) -> dict[str, Any]:
-    sheet = chosen["sheet"]
-    keys = {
-        "sheet": seen_from(sheet, output) if ".toml" in sheet else sheet, "thickness": chosen["thickness"],
-        "max_width": chosen["max_width"], "limits": given_of(chosen, ("ratio", "margin")),
-        "gravity": chosen["gravity"] or None,
-        "stand": None if chosen["stand"] == "none" else {"sheet": chosen["stand"]},
-    }  # fmt: skip
-    return given_of(keys, keys)
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:

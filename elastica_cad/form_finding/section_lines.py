@@ -450,7 +450,14 @@ def _curve(
         except NotConvergedError as error:
             notes.append(note("{name}: {why}. The curve was not changed", name=line.name, why=error.refusal))
     if notes and not wavelength:
-        _refuse_corners(line, tolerance)
+        turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
+        turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
+        if turned.max(initial=0.0) > SHARP_TURN_RAD:
+            raise InputError(
+                "{sharpest}. Split the section at its corners, export a finer mesh, or smooth the section",
+                sharpest=_sharpest(line, turned),
+                changes=[AT_CORNERS],
+            )
     removed = before - curve.inflections.size
     on_curve = curve.sample(SAMPLES).position
     places = np.concatenate([vertices, on_curve])
@@ -489,17 +496,6 @@ def _filled(points: FloatArray) -> FloatArray:
 
 def _place(line: SectionLine, point: FloatArray) -> str:
     return note("{place}", place=Point(line.frame.point(point).round(6) + 0.0))
-
-
-def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
-    turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
-    if turned.max(initial=0.0) > SHARP_TURN_RAD:
-        raise InputError(
-            "{sharpest}. Split the section at its corners, export a finer mesh, or smooth the section",
-            sharpest=_sharpest(line, turned),
-            changes=[AT_CORNERS],
-        )
 
 
 def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:

@@ -134,7 +134,15 @@ def split(
     low, high = curve.domain
     first, last = [low] * more + [a for a, _ in ranges], [b for _, b in ranges] + [high] * more
     placed = _divided(cut, _placed(cut, latest, ranges), more)
-    return _splitting(cut, placed, [*zip(first, last, strict=True)])
+    pairs = list(pairwise([low, *placed, high]))
+    s = curve.arc_length(np.array(placed))
+    spans = curve.arc_length(np.array([*zip(first, last, strict=True)]).reshape(-1, 2))
+    return Splitting(
+        tuple(cut.piece(*pair) for pair in pairs),
+        tuple(s.tolist()),
+        tuple((float(a), float(b)) for a, b in spans),
+        tuple(cut.ratio_of(*pair) for pair in pairs),
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -369,15 +377,3 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
         at = best[at]
         chosen.append(float(stage[at]))
     return chosen[::-1]
-
-
-def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[float, float]]) -> Splitting:
-    pairs = list(pairwise([cut.curve.domain[0], *supports, cut.curve.domain[1]]))
-    s = cut.curve.arc_length(np.array(supports))
-    spans = cut.curve.arc_length(np.array(ranges).reshape(-1, 2))
-    return Splitting(
-        tuple(cut.piece(*pair) for pair in pairs),
-        tuple(s.tolist()),
-        tuple((float(a), float(b)) for a, b in spans),
-        tuple(cut.ratio_of(*pair) for pair in pairs),
-    )

@@ -441,8 +441,13 @@ def _halve_chords(
     while len(rounds) <= MOST_ROUNDS:
         inner = low[:, None] + (high - low)[:, None] * _PROBES
         probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
+        chord, off = ends - begins, probes - begins[:, None, :]
+        size = dot(chord, chord)[:, None]
+        # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
+        along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
+        errors = norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1)
         # the factor allows for a largest error between the probes
-        bad = _chord_errors(begins, ends, probes) > 0.95 * tolerance
+        bad = errors > 0.95 * tolerance
         if not bad.any():
             break
         number, middle, points = number[bad], inner[bad, 1], probes[bad, 1]
@@ -452,15 +457,6 @@ def _halve_chords(
     which, u, points = map(np.concatenate, zip(*rounds, strict=True))
     order = np.lexsort((u, which))
     return which[order], u[order], points[order]
-
-
-def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
-    # largest distances (k,) of probes (k, 3, 2) from the chords between points (k, 2)
-    chord, off = ends - begins, probes - begins[:, None, :]
-    size = dot(chord, chord)[:, None]
-    # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
-    along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
-    return np.asarray(norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1), dtype=float)
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
@@ -595,7 +591,12 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
     if isinstance(segment, Line):
         return _to_chords(p, segment.start[None], segment.end[None])[0][:, 0]
     if isinstance(segment, Arc):
-        return _to_arc(p, segment)
+        off = p - segment.center
+        turn = np.sign(segment.sweep) * (angle_of(off) - segment.start_angle)
+        # True for points whose nearest point of the circle is on the arc
+        on = np.mod(turn, 2 * np.pi) <= abs(segment.sweep)
+        ends = [norm(p - end) for end in (segment.start, segment.end)]
+        return np.where(on, np.abs(norm(off) - segment.radius), np.minimum(*ends))
     blocks = [p[i : i + _BLOCK] for i in range(0, max(len(p), 1), _BLOCK)]
     return np.concatenate([_to_spline(block, segment) for block in blocks])
 
@@ -636,14 +637,6 @@ def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray,
     where /= np.where(square > 0, square, 1.0)
     np.clip(where, 0.0, 1.0, out=where)
     return np.hypot(where * dx - left, where * dy - down), where
-
-
-def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
-    off = p - arc.center
-    # True for points whose nearest point of the circle is on the arc
-    on = np.mod(np.sign(arc.sweep) * (angle_of(off) - arc.start_angle), 2 * np.pi) <= abs(arc.sweep)
-    ends = [norm(p - end) for end in (arc.start, arc.end)]
-    return np.where(on, np.abs(norm(off) - arc.radius), np.minimum(*ends))
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:

@@ -516,7 +516,10 @@ def adaptive_spline(
             return full, coefficients
         _refuse_endless(edges, bad, error, tolerance)
         parts = np.ones(low.size, dtype=int)
-        worst = _with_wide_neighbours(widths, bad)
+        # narrow spans cannot compensate for wide spans, so the wide neighbours of bad spans are divided too
+        worst = bad.copy()
+        worst[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
+        worst[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
         # the error of a span is proportional to width^(degree + 1)
         parts[worst] = np.clip((error[worst] / accepted) ** (1 / (degree + 1)), 2, 8)
         start = low.repeat(parts) + numbers_in_groups(parts) * (widths / parts).repeat(parts)
@@ -600,14 +603,6 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
             f"no spline approximates the function within {tolerance:g}: near {edges[worst]:.6g} the error "
             f"stays {error[worst]:.3g}; give this place in `breaks`, or set a larger tolerance"
         )
-
-
-def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Mark the bad spans and their wide neighbours, because narrow spans cannot compensate for wide spans."""
-    cut = bad.copy()
-    cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
-    cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
-    return cut
 
 
 def fit_spline(

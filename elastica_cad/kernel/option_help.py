@@ -52,7 +52,14 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     def add(thing: Any) -> Any:
         function = thing.__init__ if isclass(thing) else thing
         given = plain_signature(function)
-        written = _with_keys(given, keys)
+        named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
+        taken = {entry.name for entry in named}
+        added = [
+            Parameter(name, Parameter.KEYWORD_ONLY, default=PlainText("..."), annotation=PlainText(kind))
+            for name, (kind, _) in keys.items()
+            if name not in taken
+        ]
+        written = given.replace(parameters=[*named, *added])
         call = _checked(function, given, written)
         if isclass(thing):
             thing.__init__, call = call, thing  # type: ignore[method-assign]  # each class has its own
@@ -116,15 +123,3 @@ def _with_first_parameters(text: str) -> str:
     section = re.search(r"^.+\n-{3,}$", text, re.MULTILINE)
     place = section.start() if section else len(text)
     return "\n\n".join(part for part in (text[:place].rstrip(), first.rstrip(), text[place:]) if part)
-
-
-def _with_keys(given: Signature, keys: dict[str, tuple[str, str]]) -> Signature:
-    """Return a signature with the keys as keyword arguments in place of `**options`."""
-    named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
-    taken = {entry.name for entry in named}
-    added = [
-        Parameter(name, Parameter.KEYWORD_ONLY, default=PlainText("..."), annotation=PlainText(kind))
-        for name, (kind, _) in keys.items()
-        if name not in taken
-    ]
-    return given.replace(parameters=[*named, *added])

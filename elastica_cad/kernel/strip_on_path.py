@@ -101,9 +101,16 @@ def make_strip_on(
     color = color_numbers(options.pop("color")) if "color" in options else None
     _require_curve(path)
     if "ends" in options:
-        _require_tabs(options["ends"])
+        ends = options["ends"]
+        lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
+        if lengths:
+            raise InputError(
+                f"`ends` contains the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
+            )
     if "slots" in options:
-        options["slots"] = _slots_in_rad(options["slots"])
+        in_degrees = several("slots", options["slots"], Slot, "Slot")
+        warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
+        options["slots"] = tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
     frame = _frame_of(options.pop("plane")) if "plane" in options else None
     if isinstance(path, Strip | StripBody):
         late = [*(("sheet",) if sheet is not None else ()), *options]
@@ -165,20 +172,6 @@ def _require_curve(path: Any) -> None:
             f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
             "ec.PlaneCurve.fit(points) or a CAD library's spline."
         )
-
-
-def _require_tabs(ends: Any) -> None:
-    lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
-    if lengths:
-        raise InputError(
-            f"`ends` contains the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
-        )
-
-
-def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    in_degrees = several("slots", slots, Slot, "Slot")
-    warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
-    return tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
 
 
 def make_fixture_on(

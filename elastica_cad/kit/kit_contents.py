@@ -147,8 +147,10 @@ def kit_contents(
         model = _with_each(model, lambda strip: replace(strip, unmarked=True))
     model = _with_each(model, lambda strip: joined_within(strip, _shop_of(strip, spec, requests)))
     deviations = _deviations(model, entries)
+    unstable = ((part, instability(part.strip, stability(part.strip.rod))) for part in model.parts)
     messages = [
-        *_departure_notes(model, requests, deviations), *_instability_notes(model),
+        *_departure_notes(model, requests, deviations),
+        *(warning.at(strip=part.name) for part, warning in unstable if warning is not None),
         *_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
     ]  # fmt: skip
     holders = list[Holder]()
@@ -274,11 +276,6 @@ def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]
             clear.add(alike)
     reported = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(messages) if text not in reported)
-
-
-def _instability_notes(model: Model) -> list[str]:
-    warnings = ((part, instability(part.strip, stability(part.strip.rod))) for part in model.parts)
-    return [warning.at(strip=part.name) for part, warning in warnings if warning is not None]
 
 
 def _deviations(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:

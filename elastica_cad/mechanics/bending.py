@@ -398,7 +398,17 @@ def segment_to(requested: Rod, rod: Rod, system: RodSystem) -> tuple[Segment, Vi
     """Return the path from the present shape of `rod` to `system`, and the shape as its first visit."""
     elements, shape = requested.between, ShapeOfRod.of(rod)
     mounts = tuple(_begins(action, shape) for action in elements)
-    segment = Segment(_present(rod, system, elements), system, elements, mounts)
+    n, length = rod.s.size, rod.length
+    # forces of rails, pins and ties that are replaced by `elements` count as loads
+    replaced = lumped(rod.between, n, length) - lumped(elements, n, length)
+    present = replace(
+        system,
+        start=rod.position[0], end=rod.position[-1], end_angles=rod.angle[[0, -1]],
+        load=_present_load(rod) + (replaced if rod.between else 0.0),
+        force=_end_force(None, system.supports, rod),
+        moments=_end_moments(None, system.supports, rod),
+    )  # fmt: skip
+    segment = Segment(present, system, elements, mounts)
     begins = segment.elements_at(0.0, elements)
     taut = _taut(begins, shape)
     return segment, Visit(0.0, state_of(rod, segment.system(0.0, begins, taut)), begins, taut)
@@ -691,22 +701,6 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     # the reactions are the part of the edge forces that the loads do not explain, the same for all edges
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
-
-
-def _present(rod: Rod, system: RodSystem, elements: Sequence[ElementForce] = ()) -> RodSystem:
-    """Return the equations of the present ends and loads of a rod, with the supports of `system`.
-
-    Forces of rails, pins and ties that are replaced by `elements` count as loads.
-    """
-    n, length = rod.s.size, rod.length
-    replaced = lumped(rod.between, n, length) - lumped(elements, n, length)
-    return replace(
-        system,
-        start=rod.position[0], end=rod.position[-1], end_angles=rod.angle[[0, -1]],
-        load=_present_load(rod) + (replaced if rod.between else 0.0),
-        force=_end_force(None, system.supports, rod),
-        moments=_end_moments(None, system.supports, rod),
-    )  # fmt: skip
 
 
 def _present_load(rod: Rod) -> FloatArray:

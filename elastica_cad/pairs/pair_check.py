@@ -130,7 +130,17 @@ def examine_pair(
         return _refused(check, *same, *_unmet_messages(unmet)), None, None
     paired = PairedPanels.of(check, difference)
     if paired.family.freedom == 0:
-        return _refused(replace(check, unmet=paired.beyond), _too_many_message(check, paired)), None, None
+        too_many = note(
+            "Both curves have the same curvature at too many places: {places}. For two equal or mirrored "
+            "curves, usually at most two such places are possible. Change one curve so that the curvatures "
+            "differ at {beyond}."
+            if paired.rank < NUMBERS - 1
+            else "Both curves have the same curvature at too many places: {places}. Usually at most four such "
+            "places are possible. Change one curve so that the curvatures differ at {beyond}.",
+            places=lengths(z.s for z in check.zeros),
+            beyond=Length(paired.beyond[0].s),
+        )
+        return _refused(replace(check, unmet=paired.beyond), too_many), None, None
     answer = paired.least_ratio()
     if answer is None:
         against = find_violations(paired.family)
@@ -267,19 +277,6 @@ def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
         at = [z.s for z in unmet if z.order == order]
         if at:
             yield note(words, places=lengths(at))
-
-
-def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
-    return note(
-        "Both curves have the same curvature at too many places: {places}. For two equal or mirrored "
-        "curves, usually at most two such places are possible. Change one curve so that the curvatures "
-        "differ at {beyond}."
-        if paired.rank < NUMBERS - 1
-        else "Both curves have the same curvature at too many places: {places}. Usually at most four such "
-        "places are possible. Change one curve so that the curvatures differ at {beyond}.",
-        places=lengths(z.s for z in check.zeros),
-        beyond=Length(paired.beyond[0].s),
-    )
 
 
 @dataclass(frozen=True, eq=False)

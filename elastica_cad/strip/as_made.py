@@ -314,13 +314,6 @@ def _lengths_added_by_slots(
         yield at, corner * depth**2 / wide + float(widths.mean()) * (wide - remaining) / remaining
 
 
-def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    # return the positions, mm, of the first two slots that are closer together than they are deep, or ()
-    points = (slot.center_line(width)[0] for slot in slots)
-    lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
-    return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
-
-
 def idle_length(width: float, narrow: float, thickness: float) -> float:
     """Return the added length, mm, of a step from `width` to `narrow` mm, divided by `crack_energy`.
 
@@ -437,6 +430,8 @@ class StripAsMade:
         factors = stiffness_factors(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
             factors["plates"] = plates.stiffening(design.s, layout, whole())
+        points = (slot.center_line(layout.width)[0] for slot in slots)
+        lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
         return cls(
             design,
             layout,
@@ -448,7 +443,8 @@ class StripAsMade:
             if ends[1].length and closes(rod)
             else None,
             _curl(design, layout),
-            _crowded_slots(slots, layout.width),
+            # the first two slots that are closer together than they are deep
+            next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ()),
         )
 
     @cached_property

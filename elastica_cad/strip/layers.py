@@ -208,7 +208,10 @@ def draw_layers(
                 _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
             )
             if i == 0:
-                marks += _guides_outside_slots(layout.guides, layer)
+                # a slot is an open line, which is closed beyond the edge
+                open_cuts = [rim.line for rim in layer.slots]
+                loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
+                marks += tuple(part for guide in layout.guides for part in trim_off(guide, loops))
                 pairs = [*zip(slots, layer.slots, strict=True)]
                 texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)
         else:
@@ -216,13 +219,6 @@ def draw_layers(
         paths = cut_paths(layer.outline, layer.holes, marks)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
-
-
-def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
-    # a slot is an open line, which is closed beyond the edge
-    open_cuts = [rim.line for rim in layer.slots]
-    loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
-    return tuple(part for guide in guides for part in trim_off(guide, loops))
 
 
 def _marks_on_leaf(
