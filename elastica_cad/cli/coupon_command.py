@@ -165,7 +165,12 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    measured_sheet = _with_rounded_modulus(result.sheet(name, **limit, **properties))
+    measured_sheet = result.sheet(name, **limit, **properties)
+    moduli = (measured_sheet.youngs_modulus, *(measured_sheet.youngs_modulus_range or ()))
+    E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
+    measured_sheet = replace(
+        measured_sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None
+    )
     (written,) = write_files(
         [text_file(f"{file_word(name)}.toml", measured_sheet.toml())], output, force=chosen["force"]
     )
@@ -212,9 +217,3 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
 
 def _warn_row(label: str, text: str) -> None:
     say_rows(warning_row(text, label))
-
-
-def _with_rounded_modulus(sheet: Sheet) -> Sheet:
-    moduli = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
-    E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
-    return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

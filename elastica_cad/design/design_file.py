@@ -238,7 +238,15 @@ def design_of(
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
         with slips.gathering():
-            patterns.append(_pattern(table, reader))
+            table.only(*_PATTERNS)
+            if len(table.data) != 1:
+                raise InputError(
+                    "{place} needs one of the keys {patterns}. Add one of them.",
+                    place=table.where,
+                    patterns=", ".join(_PATTERNS),
+                )
+            (kind,) = table.data
+            patterns.append((kind, reader.given(PATTERNS[kind], table.table(kind))))
     interlocked, kit = None, KitSpec()
     if top.has("interlock"):
         with slips.gathering():
@@ -422,18 +430,6 @@ def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], 
                 place=where,
                 twice=entry.label,
             )
-
-
-def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
-    table.only(*_PATTERNS)
-    if len(table.data) != 1:
-        raise InputError(
-            "{place} needs one of the keys {patterns}. Add one of them.",
-            place=table.where,
-            patterns=", ".join(_PATTERNS),
-        )
-    (kind,) = table.data
-    return kind, reader.given(PATTERNS[kind], table.table(kind))
 
 
 def _comparison_key(entry: StripEntry) -> Any:

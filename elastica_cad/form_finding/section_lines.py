@@ -436,7 +436,14 @@ def _curve(
             place=Point(line.places[0]),
             changes=[AT_TWO_PLACES],
         )
-    vertices = _filled(line.points)
+    # add points to long sides, because a curve fitted only to vertices could deviate from the sides
+    s = lengths_along(line.points)
+    # add about 240 points
+    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * 240), 1).astype(int)
+    index = np.arange(len(counts)).repeat(counts)
+    fraction = numbers_in_groups(counts) / counts[index]
+    between = line.points[index] + fraction[:, None] * (line.points[index + 1] - line.points[index])
+    vertices = np.concatenate([between, line.points[-1:]])
     points = smooth_polyline(line.points, wavelength) if wavelength > 0 else vertices
     try:
         curve = PlaneCurve(*fit_spline(points, 4, tolerance), 4)
@@ -481,17 +488,6 @@ def _curve(
             name=line.name, off=place, tolerance=Length(tolerance), cause=cause,
         ))  # fmt: skip
     return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), notes
-
-
-def _filled(points: FloatArray) -> FloatArray:
-    """Add points to long sides, because a curve fitted only to vertices could deviate from the sides."""
-    s = lengths_along(points)
-    # add about 240 points
-    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * 240), 1).astype(int)
-    index = np.arange(len(counts)).repeat(counts)
-    fraction = numbers_in_groups(counts) / counts[index]
-    between = points[index] + fraction[:, None] * (points[index + 1] - points[index])
-    return np.concatenate([between, points[-1:]])
 
 
 def _place(line: SectionLine, point: FloatArray) -> str:

@@ -528,7 +528,15 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
     """Return a function that evaluates segments of one kind together, at different parameters."""
     arcs = [segment for segment in segments if isinstance(segment, Arc)]
     if arcs:
-        return _on_circles(arcs)
+        centers = np.array([arc.center for arc in arcs])
+        radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
+
+        def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
+            out = unit_vectors(starts[which] + u * sweeps[which] + derivative * np.pi / 2)
+            out *= (radii[which] * sweeps[which] ** derivative)[:, None]
+            return out if derivative else out + centers[which]
+
+        return motion
     lines = [segment for segment in segments if isinstance(segment, Line)]
     splines = [segment for segment in segments if isinstance(segment, Spline)]
     if lines:
@@ -542,19 +550,6 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
         [spline.curve.control_points for spline in splines],
         first.curve.degree,
     )
-
-
-def _on_circles(arcs: Sequence[Arc]) -> _Motion:
-    """Return the motion of arcs: points or derivatives of the arcs `which` at parameters u from 0 to 1."""
-    centers = np.array([arc.center for arc in arcs])
-    radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
-
-    def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
-        out = unit_vectors(starts[which] + u * sweeps[which] + derivative * np.pi / 2)
-        out *= (radii[which] * sweeps[which] ** derivative)[:, None]
-        return out if derivative else out + centers[which]
-
-    return motion
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:

@@ -156,8 +156,14 @@ def kit_contents(
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
+    # joined strips are replaced by their pieces
+    pieces_of = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces = (
-        *_parts_to_cut(strips, joined),
+        *(
+            replace(part, count=piece.count)
+            for piece in strips
+            for part in pieces_of.get(piece.name, (piece,))
+        ),
         *count_pieces(plate.piece for plate in model.plates),
         *spec.extras(model),
     )
@@ -249,14 +255,6 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
     long, short = (side - lost for side in sorted(spec.nesting.sheet_size, reverse=True))
     first, second = shop.stock_for(strip.sheet)
     return replace(shop, stock=(min(first, long), min(second, short)))
-
-
-def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    # joined strips are replaced by their pieces
-    parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
-    return tuple(
-        replace(part, count=piece.count) for piece in strips for part in parts.get(piece.name, (piece,))
-    )
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:

@@ -490,7 +490,20 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     change = nodes.curvature - nodal_curvature(request.natural_curvature, nodes.s)
     effective = change if request.law is None else request.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
-    warnings = _without_kinks_at(balance.between, check)
+    # drop the cautions about kinks that rails, pins and ties cause
+    near = KINK_SHARE * check.curve.length
+    stations = [s for action in balance.between for s in action.s]
+    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
+
+    def is_expected(s: float) -> bool:
+        at_station, at_jump = (any(abs(s - at) <= near for at in places) for places in (stations, jumps))
+        return at_station and not at_jump
+
+    warnings = tuple(
+        warning
+        for warning in check.cautions
+        if not (is_about_kinks(warning) and all(map(is_expected, warning.values["places"])))
+    )
     if check.moved > 1e-3:
         warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
@@ -517,23 +530,6 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
 
 KINK_SHARE = 0.005
 """Largest distance of a rail, pin or tie from a kink that its force causes, as a fraction of the length."""
-
-
-def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
-    """Return the cautions of the check, without those about kinks that rails, pins and ties cause."""
-    near = KINK_SHARE * check.curve.length
-    stations = [s for action in actions for s in action.s]
-    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
-
-    def is_expected(s: float) -> bool:
-        at_station, at_jump = (any(abs(s - at) <= near for at in places) for places in (stations, jumps))
-        return at_station and not at_jump
-
-    return tuple(
-        warning
-        for warning in check.cautions
-        if not (is_about_kinks(warning) and all(map(is_expected, warning.values["places"])))
-    )
 
 
 def _slack_in(balance: BalancedStiffness) -> tuple[ElementForce, ...]:

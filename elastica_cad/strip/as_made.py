@@ -86,7 +86,14 @@ def rod_as_built(
     relative_stiffness = rod.profile(s)
     # designed stiffness divided by that of the cut strip, at each station
     softer = layout.bending_stiffness * relative_stiffness / section.bending_stiffness(parameter)
-    EI = layout.bending_stiffness * _node_stiffness(rod, relative_stiffness) / _cell_means(softer, n)
+    # near a step of the stiffness, use the inverse of the mean compliance around the node
+    K = rod.stiffness.copy()
+    half = rod.length / (rod.s.size - 1) / 2
+    if rod.profile.steps:
+        jumps = np.array([start for start, _ in rod.profile.steps])
+        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
+        K[near] = 1 / _cell_means(1 / relative_stiffness, rod.s.size)[near]
+    EI = layout.bending_stiffness * K / _cell_means(softer, n)
     if added_lengths:
         EI = EI * _cut_factors(added_lengths, rod)
     # a rod has K >= 1, and its point forces are divided by E I for K = 1
@@ -105,20 +112,6 @@ def rod_as_built(
     if rod.weight is None:
         return built
     return replace(built, weight=weight.scaled(beta=least / layout.bending_stiffness))
-
-
-def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
-    """Return K at the nodes.
-
-    Near a step of the stiffness, it is the inverse of the mean compliance around the node.
-    """
-    K = rod.stiffness.copy()
-    half = rod.length / (rod.s.size - 1) / 2
-    if rod.profile.steps:
-        jumps = np.array([start for start, _ in rod.profile.steps])
-        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
-        K[near] = 1 / _cell_means(1 / stiffness, rod.s.size)[near]
-    return K
 
 
 def _cell_stations(rod: Rod) -> FloatArray:

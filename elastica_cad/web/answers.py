@@ -822,7 +822,23 @@ def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
     path = folder / f"dropped{FilePath(name).suffix.lower()}"
     path.write_text(text, encoding="utf-8", newline="")
     try:
-        return _contents(path, name)
+        if path.suffix == ".toml":
+            tables = parse_design(path)
+            _refuse_files(tables)
+            return {"design": drawable(tables, path, _no_file)}
+        curves = read_curves(path)
+        return {
+            "curves": [
+                {
+                    "called": f"{name} {item.number} {item.name}".rstrip(),
+                    "curve": curve_table(item.curve),
+                    "read": str(curves.file.report([item])),
+                }
+                for item in curves.file
+                if not item.problem
+            ],
+            "notes": list(curves.notes),
+        }
     except ElasticaError as problem:
         problem.refusal = _with_name(problem.refusal, path, name)
         raise
@@ -847,27 +863,6 @@ def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
         refusal.changes,
         refusal.severity,
     )
-
-
-def _contents(path: FilePath, name: str) -> Record:
-    """Return the design, or the curves and notes, in a dropped file. `name` is its original name."""
-    if path.suffix == ".toml":
-        tables = parse_design(path)
-        _refuse_files(tables)
-        return {"design": drawable(tables, path, _no_file)}
-    curves = read_curves(path)
-    return {
-        "curves": [
-            {
-                "called": f"{name} {item.number} {item.name}".rstrip(),
-                "curve": curve_table(item.curve),
-                "read": str(curves.file.report([item])),
-            }
-            for item in curves.file
-            if not item.problem
-        ],
-        "notes": list(curves.notes),
-    }
 
 
 def _open_saved(_: Mapping[str, Any], saved: FilePath | None) -> Record:
