@@ -8,7 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
-from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import is_number, numbers, require_flag, require_number, require_positive, several
 from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -424,41 +424,6 @@ def _initial_parameters(segment: Segment, tolerance: float) -> FloatArray:
     return distinct(np.concatenate([[0.0], (inner - t0) / (t1 - t0), [0.5, 1.0]])) if inner.size else _HALVES
 
 
-def _halve_chords(
-    at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
-    tolerance: float,
-) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Insert points until chords are accurate. Return segment indices, parameters u and points (n, 2).
-
-    The function `at` returns points of the segments `which` (n,) at u (n,); both are in the order of the points.
-    Only chords that start at a parameter with `bent` (n,) True are divided.
-    """
-    spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
-    number, low, high = which[spans], u[spans], u[spans + 1]
-    points = at(which, u)
-    begins, ends = points[spans], points[spans + 1]
-    rounds = [(which, u, points)]
-    while len(rounds) <= MOST_ROUNDS:
-        inner = low[:, None] + (high - low)[:, None] * _PROBES
-        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
-        chord, off = ends - begins, probes - begins[:, None, :]
-        size = dot(chord, chord)[:, None]
-        # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
-        along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
-        errors = norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1)
-        # the factor allows for a largest error between the probes
-        bad = errors > 0.95 * tolerance
-        if not bad.any():
-            break
-        number, middle, points = number[bad], inner[bad, 1], probes[bad, 1]
-        rounds.append((number, middle, points))
-        number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
-        begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
-    which, u, points = map(np.concatenate, zip(*rounds, strict=True))
-    order = np.lexsort((u, which))
-    return which[order], u[order], points[order]
-
-
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
 """Function of segment indices (n,), parameters u (n,) and an order, for segments of one kind.
 
@@ -510,9 +475,34 @@ def _chords(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, Fl
     which, u = np.arange(len(places)).repeat([row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     if not bent.any():
-        points = [segment.at(u) for segment, u in zip(segments, places, strict=True)]
-        return which, u, np.concatenate(points)
-    return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)
+        at_places = [segment.at(u) for segment, u in zip(segments, places, strict=True)]
+        return which, u, np.concatenate(at_places)
+    at = SegmentTable(segments).at
+    # insert points into the chords of bent segments until the chords are accurate
+    spans = np.flatnonzero(bent[which][:-1] & (which[1:] == which[:-1]))
+    number, low, high = which[spans], u[spans], u[spans + 1]
+    points = at(which, u)
+    begins, ends = points[spans], points[spans + 1]
+    rounds = [(which, u, points)]
+    while len(rounds) <= MOST_ROUNDS:
+        inner = low[:, None] + (high - low)[:, None] * _PROBES
+        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
+        chord, off = ends - begins, probes - begins[:, None, :]
+        size = dot(chord, chord)[:, None]
+        # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
+        along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
+        errors = norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1)
+        # the factor allows for a largest error between the probes
+        bad = errors > 0.95 * tolerance
+        if not bad.any():
+            break
+        number, middle, points = number[bad], inner[bad, 1], probes[bad, 1]
+        rounds.append((number, middle, points))
+        number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
+        begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
+    which, u, points = map(np.concatenate, zip(*rounds, strict=True))
+    order = np.lexsort((u, which))
+    return which[order], u[order], points[order]
 
 
 def _kind(segment: Segment) -> Hashable:

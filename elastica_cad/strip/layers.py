@@ -215,23 +215,17 @@ def draw_layers(
                 pairs = [*zip(slots, layer.slots, strict=True)]
                 texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)
         else:
-            marks, texts = _marks_on_leaf(engraved or name, layer, layers)
+            # lines at the ends of the plies above, and the name with the range along the stack
+            (left, low), (right, high) = layer.outline.bounds.tolist()
+            above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
+            places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
+            marks = tuple(Path.polyline([(x, low), (x, high)]) for x in places)
+            words = f"{layer.called(engraved or name)}: {left:.0f} - {right:.0f}"
+            center = ((left + right) / 2, (low + high) / 2)
+            texts = (fit_label(words, center, angle=0.0, room=right - left, across=high - low),)
         paths = cut_paths(layer.outline, layer.holes, marks)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
-
-
-def _marks_on_leaf(
-    name: str, layer: Layer, layers: Sequence[Layer]
-) -> tuple[tuple[Path, ...], tuple[Text, ...]]:
-    """Return lines at the ends of the plies above a ply, and its name with its range along the stack."""
-    (left, low), (right, high) = layer.outline.bounds.tolist()
-    above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
-    places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
-    marks = tuple(Path.polyline([(x, low), (x, high)]) for x in places)
-    words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
-    center = ((left + right) / 2, (low + high) / 2)
-    return marks, (fit_label(words, center, angle=0.0, room=right - left, across=high - low),)
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
