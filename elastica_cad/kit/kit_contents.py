@@ -148,11 +148,21 @@ def kit_contents(
     model = _with_each(model, lambda strip: joined_within(strip, _shop_of(strip, spec, requests)))
     deviations = _deviations(model, entries)
     unstable = ((part, instability(part.strip, stability(part.strip.rod))) for part in model.parts)
+    # names of the pre-bent parts by their message
+    pre_bent = dict[str, list[str]]()
+    for part in model.parts:
+        pre_bent.setdefault(pre_bend_message(part.strip), []).append(part.name)
+    pre_bent.pop("", None)
     messages = [
         *_departure_notes(model, requests, deviations),
         *(warning.at(strip=part.name) for part, warning in unstable if warning is not None),
-        *_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
-    ]  # fmt: skip
+        *(
+            note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
+            for words, names in pre_bent.items()
+        ),
+        *_strip_faults(model, spec, requests),
+        *_tip_notes("rings", model.plates),
+    ]
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
@@ -335,17 +345,6 @@ def _departure_notes(
             )
         )  # fmt: skip
     return messages
-
-
-def _pre_bend_notes(model: Model) -> list[str]:
-    alike = dict[str, list[str]]()
-    for part in model.parts:
-        alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
-    alike.pop("", None)
-    return [
-        note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
-        for words, names in alike.items()
-    ]
 
 
 def count_strips(model: Model) -> str:

@@ -169,7 +169,14 @@ def model_kit(
         kind = "side view of a rod" if piece.is_rod else "part"
         files += cutting_files(piece.drawing, stem, cutting, piece.sheet, kind)
     if step:
-        files += _block_files(contents, shapes)
+        to_print, holders = contents.blocks, [*single_holders(contents.holders)]
+        stems = distinct(file_word(block.label) for block in to_print)
+        # the bodies of the holders come last in the assembly
+        places = [k - len(holders) for k, holder in enumerate(holders) if isinstance(holder, EndFixture)]
+        files += [
+            File(f"{PARTS}/{stem}.stl", partial(_save_block, block, place, shapes), "block to print")
+            for stem, block, place in zip(stems, to_print, places, strict=True)
+        ]
     files.append(File(json, lambda path: write_json(path, report), "report"))
     files.append(File(page, lambda path: write_text(path, _start_page(contents, report)), "this page"))
     if archives:
@@ -391,17 +398,6 @@ def pack_files(folder: Path, names: Sequence[str], target: Path | BytesIO) -> No
             # without this mode, only root could read the unpacked files on Unix
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, (folder / name).read_bytes(), ZIP_DEFLATED)
-
-
-def _block_files(contents: KitContents, shapes: "Callable[[], list[NamedShape]]") -> list[File]:
-    blocks, holders = contents.blocks, [*single_holders(contents.holders)]
-    stems = distinct(file_word(block.label) for block in blocks)
-    # the bodies of the holders come last in the assembly
-    places = [k - len(holders) for k, holder in enumerate(holders) if isinstance(holder, EndFixture)]
-    return [
-        File(f"{PARTS}/{stem}.stl", partial(_save_block, block, place, shapes), "block to print")
-        for stem, block, place in zip(stems, blocks, places, strict=True)
-    ]
 
 
 def _save_block(block: EndFixture, place: int, shapes: "Callable[[], list[NamedShape]]", path: Path) -> None:

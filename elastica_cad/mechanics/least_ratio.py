@@ -446,7 +446,12 @@ def _unbent_rod(request: RodRequest) -> Rod:
         reason = "Under a point force a straight strip bends. Draw the shape into which it bends."
         raise NotRealizable(refused(check, reason))
     if request.section is not None:
-        rod = _uniform_rod(rod, request.section)
+        bent = request.section.bent(0.0)
+        size = bent.deciding_limit
+        scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
+        masses = () if rod.weight is None else rod.weight.masses
+        own = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
+        rod = replace(rod, bending_stiffness=scale, weight=own)
     if request.gravity is None:
         return rod
     chord = nodes.position[-1] - nodes.position[0]
@@ -463,16 +468,6 @@ def _unbent_rod(request: RodRequest) -> Rod:
     force = nodal_forces(edge_forces(load[0], load), load)
     lower = request.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
-
-
-def _uniform_rod(rod: Rod, section: Section) -> Rod:
-    """Return the rod with the deciding limit of the section (its largest or least size) everywhere."""
-    bent = section.bent(0.0)
-    size = bent.deciding_limit
-    scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
-    masses = () if rod.weight is None else rod.weight.masses
-    weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
-    return replace(rod, bending_stiffness=scale, weight=weight)
 
 
 def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
