@@ -5,7 +5,6 @@ from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import chain, count
-from os import PathLike
 from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack, overload
 
 import build123d as bd
@@ -17,7 +16,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.flexure_body import FlexureBody, MadeFlexure
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
+from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, SlidingEnd, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
     FixtureOptions,
@@ -31,7 +30,6 @@ from elastica_cad.strip.solids import BodyRecord, PrismSolid
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
-    from elastica_cad.kernel.end_travel import Travel
     from elastica_cad.pairs.flexure import Flexure, State
 
 
@@ -233,11 +231,9 @@ class StripShape(_Jointed, StripBody):
         return plain
 
 
-class TravelJoint:
+class TravelJoint(SlidingEnd):
     """Base of joints that move the end of a strip. A further joint of a body has a number in its name."""
 
-    travel: "Travel"
-    parent: Any
     label: str
 
     def __repr__(self) -> str:
@@ -262,21 +258,6 @@ class TravelJoint:
         """Return the strip with its end at a position on the path, mm or degrees."""
         strip = replace(self.parent.strip, rod=self.travel.rod(position))
         return BentStrip(strip, plane=self._frame, color=self.parent.color, mode=bd.Mode.PRIVATE)
-
-    def write_glb(
-        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
-    ) -> None:
-        """Write an animation of the movement, forward and backward.
-
-        An existing file is overwritten only with `force`.
-        """
-        moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
-        moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
-
-    @property
-    def _frame(self) -> Frame:
-        """Current plane of the strip. The plane moves with the body when the body is joined to others."""
-        return self.parent.frame if isinstance(self.parent, StripShape) else self.travel.frame
 
 
 def _free_name(rib: Any) -> str:

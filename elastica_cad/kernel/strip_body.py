@@ -5,6 +5,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, hypot
+from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict, TypeVar
 
 from elastica_cad._text import printable
@@ -34,6 +35,7 @@ from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, bent_col
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
+    from elastica_cad.kernel.end_travel import Travel
     from elastica_cad.model.assembly import AssemblyPart, Holder
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.model.model import Model
@@ -275,6 +277,28 @@ class MadeStrip:
         """Flat pattern as a TopoDS_Face."""
         holes = [in_smooth_pieces(hole, 1) for hole in self.strip.holes]
         return make_face(in_smooth_pieces(self.strip.outline), holes)
+
+
+class SlidingEnd:
+    """Animation of a strip whose end moves, common to the sliders of all CAD libraries."""
+
+    travel: "Travel"
+    parent: Any
+
+    @property
+    def _frame(self) -> Frame:
+        """Current plane of the strip. The plane moves with the body when the body is joined to others."""
+        return self.parent.frame if isinstance(self.parent, StripBody) else self.travel.frame
+
+    def write_glb(
+        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
+    ) -> None:
+        """Write an animation of the movement, forward and backward.
+
+        An existing file is overwritten only with `force`.
+        """
+        moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
+        moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
 
 class StripBody:
