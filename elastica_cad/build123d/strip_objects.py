@@ -270,7 +270,7 @@ class Slider(TravelJoint, bd.LinearJoint):
     """Linear joint "slider": the end of a strip moves straight to another point without turning.
 
     `connect_to(joint, position=...)` moves the part that is attached to the end. `bent(position)` returns the
-    strip for this position.
+    strip for this position. `write_glb(path)` writes an animation of the movement.
 
     Parameters
     ----------

@@ -238,6 +238,9 @@ class Slider(SlidingEnd):
     """Path on which the end of a strip moves: straight to another point without turning, or rotating in
     place.
 
+    `write_glb(path, frames=25, seconds=4.0, force=False)` writes an animation of the movement, forward and
+    backward.
+
     Parameters
     ----------
     rib : StripSolid or StripCompound
