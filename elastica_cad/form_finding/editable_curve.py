@@ -144,10 +144,10 @@ def _continuous(rod: Rod) -> _Shape:
     s, size = np.linspace(0, 1, K.size), rod.length
     kappa_0 = np.broadcast_to(rod.natural_curvature, rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
-    bend = curvature - kappa_0
-    spline = make_interp_spline(s, bend, k=5)
-    # arc lengths at which the quintic spline through the bend is 0
-    where = np.flatnonzero(bend[:-1] * bend[1:] < 0)
+    change = curvature - kappa_0
+    spline = make_interp_spline(s, change, k=5)
+    # arc lengths at which the quintic spline through the change of curvature is 0
+    where = np.flatnonzero(change[:-1] * change[1:] < 0)
     bends, (start, end) = (
         np.array([brentq(spline, s[i], s[i + 1], xtol=1e-15) for i in where]),
         rod.supports.ends,
