@@ -165,6 +165,7 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
+    # the sheet has a modulus of six digits
     measured_sheet = result.sheet(name, **limit, **properties)
     moduli = (measured_sheet.youngs_modulus, *(measured_sheet.youngs_modulus_range or ()))
     E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
