@@ -193,8 +193,7 @@ class StripShape(_Jointed, StripBody):
         return tuple(solids)
 
     def _named_parts(self) -> list[bd.Shape]:
-        bodies: Any = self.copies
-        return bodies if self._made.home is None else [layer for body in bodies for layer in body.layers]
+        return [part for body in self.copies for part in StripBody._named_parts(body)]
 
     @property
     def assembly(self) -> bd.Compound:

@@ -192,9 +192,6 @@ class StripShape(StripBody, _Moved):
             solids.append(solid)
         return tuple(solids)
 
-    def _named_parts(self) -> tuple[cq.Shape, ...]:
-        return (self,) if self._made.home is None else self.layers
-
     @property
     def assembly(self) -> cq.Assembly:
         """Sheets of the bent strip as children of an assembly, with names and colours."""

@@ -371,9 +371,9 @@ class StripBody:
             raise InputError(f"{self.label} is a block, which has no flat pattern. Write it as STEP or STL.")
         return self.strip.drawing()
 
-    def _named_parts(self) -> Sequence[Any]:
+    def _named_parts(self: Any) -> Sequence[Any]:
         # return the parts of the body for files, with names and colours: the sheets of a bent strip
-        raise NotImplementedError
+        return (self,) if self._made.home is None else self.layers
 
     @property
     def placed(self) -> Placed:
