@@ -30,6 +30,7 @@ from elastica_cad.strip.solids import BodyRecord, PrismSolid
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
+    from elastica_cad.kernel.end_travel import Travel
     from elastica_cad.pairs.flexure import Flexure, State
 
 
@@ -233,6 +234,7 @@ class StripShape(_Jointed, StripBody):
 class TravelJoint(SlidingEnd):
     """Base of joints that move the end of a strip. A further joint of a body has a number in its name."""
 
+    travel: "Travel"
     label: str
 
     def __repr__(self) -> str:

@@ -29,6 +29,7 @@ from elastica_cad.strip.strip import Strip
 if TYPE_CHECKING:
     from cadquery.occ_impl.geom import VectorLike
 
+    from elastica_cad.kernel.end_travel import Travel
     from elastica_cad.pairs.flexure import Flexure, State
 
 
@@ -274,6 +275,8 @@ class Slider(SlidingEnd):
     >>> round(rib.slider(angle=30).travel.length, 3)
     30.0
     """
+
+    travel: "Travel"
 
     def __init__(self, rib: "StripShape", end: Point | None = None, *, angle: float | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of

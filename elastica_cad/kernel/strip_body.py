@@ -35,7 +35,6 @@ from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, bent_col
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
-    from elastica_cad.kernel.end_travel import Travel
     from elastica_cad.model.assembly import AssemblyPart, Holder
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.model.model import Model
@@ -282,7 +281,7 @@ class MadeStrip:
 class SlidingEnd:
     """Animation of a strip whose end moves, common to the sliders of all CAD libraries."""
 
-    travel: "Travel"
+    travel: Any
     parent: Any
 
     @property

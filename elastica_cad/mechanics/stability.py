@@ -67,6 +67,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     --------
     A straight, unloaded cantilever has no conjugate point.
 
+    >>> from elastica_cad.mechanics.loads import Supports
     >>> rod = DiscreteRod(np.ones(51), np.zeros(50), np.zeros(2), 1.0, Supports("free", "clamped"))
     >>> stability_determinant(rod).sign_changes.size
     0
