@@ -12,9 +12,6 @@ UNKNOWN_WIDTH = 40.0
 RATIO = 3.5
 """Largest stiffness ratio (largest over least stiffness of the strip) if the curve may be changed."""
 
-CUTTABLE_RATIO = 9.5
-"""Stiffness ratio at which a strip 30 mm wide is barely wide enough to cut at its narrowest place."""
-
 UNLIMITED_RATIO = 1000.0
 """Largest stiffness ratio if no limit is given. The widths of such a strip, for example 0.1 and 100 mm,
 cannot be made."""

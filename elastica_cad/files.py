@@ -315,10 +315,20 @@ def save(
     from elastica_cad.strip.strip import Strip
 
     drawing: Any = made
-    is_body = hasattr(made, "_made")
-    if isinstance(made, Strip) or is_body or (not isinstance(made, Drawing) and _is_flexure(made)):
-        if Path(path).suffix.lower() in (".step", ".stp", *((".stl", ".glb") if is_body else ())):
-            return _save_solids(made, Path(path), options)
+    # a body of build123d or CadQuery has the record of the strip or part from which it was made
+    is_strip, is_body = isinstance(made, Strip), hasattr(made, "_made")
+    if is_strip or is_body or (not isinstance(made, Drawing) and _is_flexure(made)):
+        file = Path(path)
+        if file.suffix.lower() in (".step", ".stp", *((".stl", ".glb") if is_body else ())):
+            try:
+                from elastica_cad.kernel.mesh_files import write_body
+                from elastica_cad.kernel.step_files import write_flexure_step, write_strip_step
+            except ImportError as error:
+                raise _no_kernel(file, "writing") from error
+            write: Any = write_body if is_body else write_strip_step if is_strip else write_flexure_step
+            refuse_options_unlike(options, write, f"a {file.suffix[1:].upper()} file")
+            write(made, file, **options)
+            return file
         drawing = drawing.drawing()
     refuse_options_unlike(options, write_drawing, "a drawing's file")
     return write_drawing(drawing, path, **options)
@@ -328,17 +338,3 @@ def _is_flexure(part: object) -> bool:
     from elastica_cad.pairs.flexure import Flexure
 
     return isinstance(part, Flexure)
-
-
-def _save_solids(part: Any, path: Path, options: dict[str, Any]) -> Path:
-    try:
-        from elastica_cad.kernel.mesh_files import write_body
-        from elastica_cad.kernel.step_files import write_flexure_step, write_strip_step
-    except ImportError as error:
-        raise _no_kernel(path, "writing") from error
-    write: Callable[..., None] = write_flexure_step if _is_flexure(part) else write_strip_step
-    if hasattr(part, "_made"):
-        write = write_body
-    refuse_options_unlike(options, write, f"a {path.suffix[1:].upper()} file")
-    write(part, path, **options)
-    return path

@@ -5,7 +5,6 @@ from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import chain, count
-from os import PathLike
 from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack, overload
 
 import build123d as bd
@@ -17,7 +16,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.flexure_body import FlexureBody, MadeFlexure
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
+from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, SlidingEnd, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
     FixtureOptions,
@@ -195,8 +194,7 @@ class StripShape(_Jointed, StripBody):
         return tuple(solids)
 
     def _named_parts(self) -> list[bd.Shape]:
-        bodies: Any = self.copies
-        return bodies if self._made.home is None else [layer for body in bodies for layer in body.layers]
+        return [part for body in self.copies for part in StripBody._named_parts(body)]
 
     @property
     def assembly(self) -> bd.Compound:
@@ -233,11 +231,10 @@ class StripShape(_Jointed, StripBody):
         return plain
 
 
-class TravelJoint:
+class TravelJoint(SlidingEnd):
     """Base of joints that move the end of a strip. A further joint of a body has a number in its name."""
 
     travel: "Travel"
-    parent: Any
     label: str
 
     def __repr__(self) -> str:
@@ -263,21 +260,6 @@ class TravelJoint:
         strip = replace(self.parent.strip, rod=self.travel.rod(position))
         return BentStrip(strip, plane=self._frame, color=self.parent.color, mode=bd.Mode.PRIVATE)
 
-    def write_glb(
-        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
-    ) -> None:
-        """Write an animation of the movement, forward and backward.
-
-        An existing file is overwritten only with `force`.
-        """
-        moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
-        moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
-
-    @property
-    def _frame(self) -> Frame:
-        """Current plane of the strip. The plane moves with the body when the body is joined to others."""
-        return self.parent.frame if isinstance(self.parent, StripShape) else self.travel.frame
-
 
 def _free_name(rib: Any) -> str:
     # "slider", with the first free number if the body has such a joint
@@ -289,7 +271,7 @@ class Slider(TravelJoint, bd.LinearJoint):
     """Linear joint "slider": the end of a strip moves straight to another point without turning.
 
     `connect_to(joint, position=...)` moves the part that is attached to the end. `bent(position)` returns the
-    strip for this position.
+    strip for this position. `write_glb(path)` writes an animation of the movement.
 
     Parameters
     ----------

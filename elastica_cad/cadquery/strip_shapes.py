@@ -3,7 +3,6 @@
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from os import PathLike
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack, cast, overload
 
@@ -15,7 +14,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.flexure_body import FlexureBody, MadeFlexure
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
+from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, SlidingEnd, StripBody
 from elastica_cad.kernel.strip_on_path import (
     BlockOptions,
     FixtureOptions,
@@ -30,6 +29,7 @@ from elastica_cad.strip.strip import Strip
 if TYPE_CHECKING:
     from cadquery.occ_impl.geom import VectorLike
 
+    from elastica_cad.kernel.end_travel import Travel
     from elastica_cad.pairs.flexure import Flexure, State
 
 
@@ -193,9 +193,6 @@ class StripShape(StripBody, _Moved):
             solids.append(solid)
         return tuple(solids)
 
-    def _named_parts(self) -> tuple[cq.Shape, ...]:
-        return (self,) if self._made.home is None else self.layers
-
     @property
     def assembly(self) -> cq.Assembly:
         """Sheets of the bent strip as children of an assembly, with names and colours."""
@@ -235,9 +232,12 @@ class StripShape(StripBody, _Moved):
         return image
 
 
-class Slider:
+class Slider(SlidingEnd):
     """Path on which the end of a strip moves: straight to another point without turning, or rotating in
     place.
+
+    `write_glb(path, frames=25, seconds=4.0, force=False)` writes an animation of the movement, forward and
+    backward.
 
     Parameters
     ----------
@@ -253,6 +253,8 @@ class Slider:
     ----------
     travel : Travel
         Shapes on the path, and the length of the path.
+    parent : StripSolid or StripCompound
+        The bent strip.
 
     Raises
     ------
@@ -274,14 +276,16 @@ class Slider:
     30.0
     """
 
+    travel: "Travel"
+
     def __init__(self, rib: "StripShape", end: Point | None = None, *, angle: float | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, angle)
-        self._rib = rib
+        self.parent = rib
 
     def __repr__(self) -> str:
-        return f"<Slider of {self._rib.label!r}, {self.travel.length:.4g} {self.travel.unit}>"
+        return f"<Slider of {self.parent.label!r}, {self.travel.length:.4g} {self.travel.unit}>"
 
     def place(self, position: float) -> cq.Location:
         """Return the frame of the end at a position on the path, mm or degrees.
@@ -295,25 +299,14 @@ class Slider:
 
     def bent(self, position: float) -> "StripSolid | StripCompound":
         """Return the strip with its end at a position on the path, mm or degrees."""
-        strip = replace(self._rib.strip, rod=self.travel.rod(position))
-        return bent_strip(strip, plane=self.travel.frame, color=self._rib.color)
+        strip = replace(self.parent.strip, rod=self.travel.rod(position))
+        return bent_strip(strip, plane=self._frame, color=self.parent.color)
 
     def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
         """Constrain a child of the assembly, or its tagged face ("carriage?foot"), to the end of the strip."""
         at, turn = self.place(position).toTuple()
         child, _, _ = name.partition("?")
         return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
-
-    def write_glb(
-        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
-    ) -> None:
-        """Write an animation of the movement, forward and backward.
-
-        An existing file is overwritten only with `force`.
-        """
-        self.travel.write_glb(
-            path, frames=frames, seconds=seconds, color=self._rib._changed_color, force=force
-        )
 
 
 class StripFace(StripShape, cq.Face):

@@ -30,7 +30,7 @@ from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.cross_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod import camber_of
-from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
+from elastica_cad.model.batten import BattenSpec, bench_csv, bench_drawing
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.strip import Strip
 
@@ -143,12 +143,41 @@ def batten(**chosen: Any) -> None:
     stations = _stations(chosen)
     result = spec.make()
     if chosen["leaves"] is None:
-        strip = result.strip
-        report, columns = _planed(result, stations, weight=chosen["weight"])
+        strip, table = result.strip, result.table(stations)
+        report = _quantities(strip) | {
+            "lying": spec.lying, "warnings": list(strip.warnings), "table": plain_data(table),
+        }  # fmt: skip
+        if chosen["weight"]:
+            report["camber_with_weight"] = {
+                side: dict(
+                    zip(("camber", "camber_place"), result.camber_with_weight(bulging=side), strict=True)
+                )
+                for side in ("up", "down")
+            }
+        s, s_inch, _, _, sizes, inch, strain, safety = table.values()
+        name = spec.stock.quantity
+        columns: dict[str, Any] = {
+            "at_mm": s, "at_inch": s_inch, f"{name}_mm": sizes, f"{name}_inch": inch,
+            "strain_percent": 100 * strain, "safety": safety,
+        }  # fmt: skip
         size = f"ends {report['chord_mm']:.1f} apart"
         more = chosen["lying"] and f", level under its own weight and bulging {chosen['lying']}"
     else:
-        strip, report, columns = _glued(result, chosen["leaves"])
+        glued = result.of_leaves(chosen["leaves"])
+        strip, section = result.strip_of(glued), glued.section
+        report = _quantities(strip) | {
+            "deviation_mm": Length(glued.deviation), "settled": glued.settled,
+            "leaf_thickness_mm": Length(strip.sheet.thickness), "leaf_width_mm": section.width,
+            "leaves": [
+                {"leaf": name, "start_mm": leaf.start, "end_mm": leaf.end, "length_mm": leaf.length}
+                for name, leaf in zip(section.names, glued.leaves, strict=True)
+            ],
+        }  # fmt: skip
+        lengths = np.array([leaf.length for leaf in glued.leaves])
+        columns = {
+            "ply": section.names, "from_mm": [leaf.start for leaf in glued.leaves],
+            "to_mm": [leaf.end for leaf in glued.leaves], "length_mm": lengths, "inch": lengths / MM_PER_INCH,
+        }  # fmt: skip
         size = f"{chosen['leaves']} plies of {report['leaf_thickness_mm']:.4g}"
         more = f"; the glued plies are at most {report['deviation_mm']:.2g} from the planed batten"
     written = _write(strip, stations, report, chosen)
@@ -186,44 +215,6 @@ def batten(**chosen: Any) -> None:
     contents = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
     wrote(written, contents)
     say(*left_out(pictures=False, paper=True))
-
-
-def _planed(result: Batten, stations: FloatArray, *, weight: bool) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the report of a planed or turned batten, and the columns of its printed table."""
-    table = result.table(stations)
-    report = _quantities(result.strip) | {
-        "lying": result.spec.lying, "warnings": list(result.strip.warnings), "table": plain_data(table),
-    }  # fmt: skip
-    if weight:
-        report["camber_with_weight"] = {
-            side: dict(zip(("camber", "camber_place"), result.camber_with_weight(bulging=side), strict=True))
-            for side in ("up", "down")
-        }
-    s, s_inch, _, _, size, inch, strain, safety = table.values()
-    name = result.spec.stock.quantity
-    return report, {
-        "at_mm": s, "at_inch": s_inch, f"{name}_mm": size, f"{name}_inch": inch,
-        "strain_percent": 100 * strain, "safety": safety,
-    }  # fmt: skip
-
-
-def _glued(result: Batten, count: int) -> tuple[Strip, dict[str, Any], dict[str, Any]]:
-    """Return the strip of glued plies, its report, and the columns of its printed cut list."""
-    glued = result.of_leaves(count)
-    strip, section = result.strip_of(glued), glued.section
-    report = _quantities(strip) | {
-        "deviation_mm": Length(glued.deviation), "settled": glued.settled,
-        "leaf_thickness_mm": Length(strip.sheet.thickness), "leaf_width_mm": section.width,
-        "leaves": [
-            {"leaf": name, "start_mm": leaf.start, "end_mm": leaf.end, "length_mm": leaf.length}
-            for name, leaf in zip(section.names, glued.leaves, strict=True)
-        ],
-    }  # fmt: skip
-    lengths = np.array([leaf.length for leaf in glued.leaves])
-    return strip, report, {
-        "ply": section.names, "from_mm": [leaf.start for leaf in glued.leaves],
-        "to_mm": [leaf.end for leaf in glued.leaves], "length_mm": lengths, "inch": lengths / MM_PER_INCH,
-    }  # fmt: skip
 
 
 def _quantities(strip: Strip) -> dict[str, Any]:

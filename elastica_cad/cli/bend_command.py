@@ -231,7 +231,14 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     moved = None
     change = _bend_keywords(before, strip, chosen)
     if chosen["shorten"] is not None and stays:
-        _refuse_fixed_cords(rod, supports, change["between"])
+        both_held = all(end.x and end.y for end in supports.ends)
+        for cord in change["between"] if both_held else ():
+            # within 1 mm of an end, because users type whole mm
+            if isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=1.0):
+                raise InputError(
+                    "Both ends of the strip are held, so the cord between them cannot become shorter. "
+                    "Add --hold-start free --hold-end free."
+                )
     angles = chosen["start_angle"], chosen["end_angle"]
     path = [{
         "start": chosen["start"], "end": chosen["end"], "supports": supports, **change,
@@ -422,17 +429,6 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, A
             )
         change["loads"] = loads
     return change
-
-
-def _refuse_fixed_cords(rod: Rod, supports: Supports, between: Sequence[Any]) -> None:
-    both_held = all(end.x and end.y for end in supports.ends)
-    for cord in between if both_held else ():
-        # within 1 mm of an end, because users type whole mm
-        if isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=1.0):
-            raise InputError(
-                "Both ends of the strip are held, so the cord between them cannot become shorter. "
-                "Add --hold-start free --hold-end free."
-            )
 
 
 def _with_shorter_cord(action: ElementForce, by: float) -> Any:

@@ -37,7 +37,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError, Length, Refus
 from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.form_finding.straight_ends import StraightEnds
-from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
+from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports
 from elastica_cad.mechanics.rod import Rod
@@ -237,7 +237,16 @@ class _Check:
         report["notes"] = [*outcome, *verdict.details, *of_ends, *of_curve]
         if verdict.realizable:
             tried = None if self.sheet is None else [self.sheet]
-            report |= _report_on_sheets(smoothing.curve, self.rod.ratio, self.natural_curvature, tried)
+            ratio, curve = self.rod.ratio, smoothing.curve
+            scaled_sheets = sheets_for_curve(curve, self.natural_curvature, tried)
+            sheets = [{"name": sheet.sheet.name, "scale": sheet.scale} for sheet in scaled_sheets]
+            question = unit_question(scaled_sheets[0].scale, curve.length)
+            report |= {
+                "ratio": ratio,
+                "sheets": sheets,
+                "unit_question": question,
+                "advice_on_sheets": [_widths_row(ratio).text, _sheets_row(sheets, question).text],
+            }
             report |= _report_on_elements(self.rod) if self.between else {}
         return report
 
@@ -420,17 +429,3 @@ def _stability_row(report: PlainData) -> Row:
         "Stability", "; ".join([text.get(word, "stable in its plane"), *bars]),
         severity="note" if word == "ample" else "warning",
     )  # fmt: skip
-
-
-def _report_on_sheets(
-    curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature, tried: Sequence[Sheet] | None
-) -> PlainData:
-    scaled_sheets = sheets_for_curve(curve, natural_curvature, tried)
-    sheets = [{"name": sheet.sheet.name, "scale": sheet.scale} for sheet in scaled_sheets]
-    question = unit_question(scaled_sheets[0].scale, curve.length)
-    return {
-        "ratio": ratio,
-        "sheets": sheets,
-        "unit_question": question,
-        "advice_on_sheets": [_widths_row(ratio).text, _sheets_row(sheets, question).text],
-    }

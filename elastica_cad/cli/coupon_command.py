@@ -14,7 +14,7 @@ from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.errors import InputError, Length, note
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, text_file, write_files
-from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
+from elastica_cad.mechanics.calibration import calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, library_folders, plausible_number, require_flat
 from elastica_cad.report_rows import Row, warning_row
@@ -107,20 +107,6 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
 _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}
 
 
-def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
-    readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
-    # smallest and largest elasto-gravity length with their standard errors, mm, and their (overhang, droop)
-    (low, low_error, short), (high, high_error, long) = readings[0], readings[-1]
-    # more than three standard deviations of the difference, and than a tenth of the smaller reading
-    if high - low > max(3.0 * hypot(low_error, high_error), 0.1 * low):
-        _warn_row(
-            "Readings",
-            f"Two measurements contradict each other: a droop of {short[1]:g} mm over {short[0]:g} mm gives an "
-            f"elasto-gravity length of {Length(low)}, a droop of {long[1]:g} mm over {long[0]:g} mm gives "
-            f"{Length(high)}. Measure again; if the sheet is curved, turn it over.",
-        )
-
-
 def _sheet_of_coupon(chosen: Chosen) -> Sheet:
     """Return the sheet of the coupon.
 
@@ -179,13 +165,29 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    measured_sheet = _with_rounded_modulus(result.sheet(name, **limit, **properties))
+    # the sheet has a modulus of six digits
+    measured_sheet = result.sheet(name, **limit, **properties)
+    moduli = (measured_sheet.youngs_modulus, *(measured_sheet.youngs_modulus_range or ()))
+    E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
+    measured_sheet = replace(
+        measured_sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None
+    )
     (written,) = write_files(
         [text_file(f"{file_word(name)}.toml", measured_sheet.toml())], output, force=chosen["force"]
     )
     answer({"sheet": measured_sheet, "measured": result})
     say_rows(*(Row("Measured", line) for line in str(result).split("\n")))
-    _warn_of_contradiction(measured, result)
+    readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
+    # smallest and largest elasto-gravity length with their standard errors, mm, and their (overhang, droop)
+    (low, low_error, short), (high, high_error, long) = readings[0], readings[-1]
+    # more than three standard deviations of the difference, and than a tenth of the smaller reading
+    if high - low > max(3.0 * hypot(low_error, high_error), 0.1 * low):
+        _warn_row(
+            "Readings",
+            f"Two measurements contradict each other: a droop of {short[1]:g} mm over {short[0]:g} mm gives an "
+            f"elasto-gravity length of {Length(low)}, a droop of {long[1]:g} mm over {long[0]:g} mm gives "
+            f"{Length(high)}. Measure again; if the sheet is curved, turn it over.",
+        )
     if (least := min(abs(droop) for _, droop in measured)) < LEAST_DROOP_MM:
         _warn_row(
             "Readings",
@@ -216,9 +218,3 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
 
 def _warn_row(label: str, text: str) -> None:
     say_rows(warning_row(text, label))
-
-
-def _with_rounded_modulus(sheet: Sheet) -> Sheet:
-    moduli = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
-    E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
-    return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

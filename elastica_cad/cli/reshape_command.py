@@ -10,7 +10,6 @@ import click
 import numpy as np
 
 from elastica_cad._text import file_word
-from elastica_cad._types import FloatArray
 from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options, refuse_idle
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.suggestions import typed_length
@@ -79,9 +78,28 @@ def reshape(
             text = f"{curve.name}, {drawn_curve.called} of {len(drawing)} is left out: {drawn_curve.problem}"
             say_rows(warning_row(text, "Left out"))
     originals = [drawn_curve.curve for drawn_curve in chosen if not drawn_curve.problem] or [chosen[0].curve]
-    matrix = _map_of_options(
-        originals, handles, {name: place for name, place in corners.items() if place is not None}
-    )
+    moved = {name: place for name, place in corners.items() if place is not None}
+    if moved:
+        matrix = map_corners(originals, moved)
+    elif not handles:
+        low, (right, top) = box_around(np.array([original.bounds for original in originals]))
+        raise InputError(
+            "The new shape is missing. Give a new position of a corner of the frame around the curve "
+            "({options}), such as --top-right {x} {y}. The frame reaches from {low} to {high}.",
+            options=", ".join(map(option_name, CORNERS)),
+            x=typed_length(round(float(right + 0.1 * (right - low[0])), 1)),
+            y=typed_length(round(float(top), 1)),
+            low=Point(low),
+            high=Point((right, top)),
+        )
+    elif len(handles) != 4:
+        raise InputError(
+            "--handle moves 4 places at once, but is given {count} times. Give 4 places of the drawing, each with "
+            "its new position: --handle X Y TO_X TO_Y.",
+            count=len(handles),
+        )
+    else:
+        matrix = four_point_map([handle[:2] for handle in handles], [handle[2:] for handle in handles])
     changed = [drawn_curve.transformed(matrix) for drawn_curve in originals]
     name = f"{file_word(curve.stem)}-reshaped"
     files = [File(f"{name}.{kind}", partial(_write_curves, changed)) for kind in ("dxf", "svg", "json")]
@@ -113,36 +131,6 @@ def _write_curves(curves: Sequence[PlaneCurve], path: Path) -> None:
         write_curves(curves, path)
     for fit in fits:
         warn(str(fit.message))
-
-
-def _map_of_options(
-    curves: Sequence[PlaneCurve],
-    handles: tuple[tuple[float, float, float, float], ...],
-    corners: dict[str, tuple[float, float]],
-) -> FloatArray:
-    """Return the projective map (3, 3) that moves corners of the frame around the curves, or four handles."""
-    if corners:
-        return map_corners(curves, corners)
-    if not handles:
-        low, (right, top) = box_around(np.array([curve.bounds for curve in curves]))
-        raise InputError(
-            (
-                "The new shape is missing. Give a new position of a corner of the frame around the curve "
-                "({options}), such as --top-right {x} {y}. The frame reaches from {low} to {high}."
-            ),
-            options=", ".join(map(option_name, CORNERS)),
-            x=typed_length(round(float(right + 0.1 * (right - low[0])), 1)),
-            y=typed_length(round(float(top), 1)),
-            low=Point(low),
-            high=Point((right, top)),
-        )
-    if len(handles) != 4:
-        raise InputError(
-            "--handle moves 4 places at once, but is given {count} times. Give 4 places of the drawing, each with "
-            "its new position: --handle X Y TO_X TO_Y.",
-            count=len(handles),
-        )
-    return four_point_map([handle[:2] for handle in handles], [handle[2:] for handle in handles])
 
 
 def _strip_data(curve: PlaneCurve) -> dict[str, Any]:

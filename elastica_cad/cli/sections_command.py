@@ -153,7 +153,19 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         requested_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
     size_options = given_of(chosen, ("unit", "scale"))
-    _require_one_family(chosen)
+    families = {
+        "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
+        "--offset": chosen["offsets"], "--along": chosen["along"],
+    }  # fmt: skip
+    options = [option for option, value in families.items() if value]
+    if len(options) != 1:
+        selected = f", not {' and '.join(options)}" if options else ""
+        raise InputError(
+            f"Exactly one option for the cutting planes is needed{selected}. Use one of "
+            f"{', '.join(families)}."
+        )
+    of_design = ("margin", "gravity", "thickness", "max_width", "ratio", "stand")
+    refuse_idle(dict.fromkeys(of_design, ("sheet",)) | {"count": ("along",)}, _IDLE)
     try:
         surface = read_sized_surface(read_surface, mesh, **size_options)
         spec = _spec(chosen, surface)
@@ -186,7 +198,14 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     ]
     if chosen["sheet"] is not None:
         mesh_table = {"mesh": seen_from(str(mesh), output)} | size_options
-        text = compose_section_design(name, mesh_table, spec, _strip_keys(chosen, output))
+        sheet = chosen["sheet"]
+        keys = {
+            "sheet": seen_from(sheet, output) if ".toml" in sheet else sheet, "thickness": chosen["thickness"],
+            "max_width": chosen["max_width"], "limits": given_of(chosen, ("ratio", "margin")),
+            "gravity": chosen["gravity"] or None,
+            "stand": None if chosen["stand"] == "none" else {"sheet": chosen["stand"]},
+        }  # fmt: skip
+        text = compose_section_design(name, mesh_table, spec, given_of(keys, keys))
         files.append(text_file(f"{name}.toml", text))
     wrote(write_files(files, output, force=force))
     if chosen["sheet"] is None:
@@ -202,23 +221,6 @@ def _option_that_splits(message: str, chosen: Chosen) -> str:
         return " (--split-corners 20)"
     unsplit = not (chosen["splits"] or chosen["split_at"] or chosen["split_corners"])
     return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in changes and unsplit else ""
-
-
-def _require_one_family(chosen: Chosen) -> None:
-    """Refuse several options for the cutting planes, and options that have no effect."""
-    families = {
-        "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
-        "--offset": chosen["offsets"], "--along": chosen["along"],
-    }  # fmt: skip
-    options = [option for option, value in families.items() if value]
-    if len(options) != 1:
-        selected = f", not {' and '.join(options)}" if options else ""
-        raise InputError(
-            f"Exactly one option for the cutting planes is needed{selected}. Use one of "
-            f"{', '.join(families)}."
-        )
-    of_design = ("margin", "gravity", "thickness", "max_width", "ratio", "stand")
-    refuse_idle(dict.fromkeys(of_design, ("sheet",)) | {"count": ("along",)}, _IDLE)
 
 
 def _spec(chosen: Chosen, surface: Surface) -> SectionSpec:
@@ -265,17 +267,6 @@ def _up(chosen: Chosen, along: Any) -> Triple:
     upright = np.abs(along[:2]).max() <= 1e-9 * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
-
-
-def _strip_keys(chosen: Chosen, output: Path) -> dict[str, Any]:
-    sheet = chosen["sheet"]
-    keys = {
-        "sheet": seen_from(sheet, output) if ".toml" in sheet else sheet, "thickness": chosen["thickness"],
-        "max_width": chosen["max_width"], "limits": given_of(chosen, ("ratio", "margin")),
-        "gravity": chosen["gravity"] or None,
-        "stand": None if chosen["stand"] == "none" else {"sheet": chosen["stand"]},
-    }  # fmt: skip
-    return given_of(keys, keys)
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:

@@ -68,14 +68,6 @@ from elastica_cad.strip.suggestions import try_change
 from elastica_cad.strip.summary import NEAREST_SUPPORT, not_computed_row, size_row, strip_rows
 
 
-def _files(chosen: Chosen, table: Mapping[str, Any]) -> StripFiles:
-    # the tables `cut` and `files` of the options
-    reader, below = Reader(), Table(table, "", {})
-    cutting: Cutting = reader.record(Cutting, below.table("cut"))
-    more: FileKeys = reader.record(FileKeys, below.table("files"))
-    return StripFiles(cutting, more.paper, more.glb, chosen["step"], chosen["pictures"])
-
-
 class _Grouped(click.Command):
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         for group, parameters in grouped(self.get_params(ctx)).items():
@@ -109,7 +101,11 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     lists the keys, `elastica help KEY` explains a key.
     """
     table = table_of(chosen)
-    files, which = _files(chosen, table), table.get("curve", {})
+    reader, below = Reader(), Table(table, "", {})
+    cutting: Cutting = reader.record(Cutting, below.table("cut"))
+    file_keys: FileKeys = reader.record(FileKeys, below.table("files"))
+    files = StripFiles(cutting, file_keys.paper, file_keys.glb, chosen["step"], chosen["pictures"])
+    which = table.get("curve", {})
     read_once = cache(read_curves_with_note)  # all strips may have the same natural curvature
     splits: list[dict[str, Any]] = []
 

@@ -5,7 +5,7 @@ degrees). `design_schema.tables` lists all keys with their descriptions.
 """
 
 import tomllib
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from os import PathLike
@@ -238,7 +238,15 @@ def design_of(
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
         with slips.gathering():
-            patterns.append(_pattern(table, reader))
+            table.only(*_PATTERNS)
+            if len(table.data) != 1:
+                raise InputError(
+                    "{place} needs one of the keys {patterns}. Add one of them.",
+                    place=table.where,
+                    patterns=", ".join(_PATTERNS),
+                )
+            (kind,) = table.data
+            patterns.append((kind, reader.given(PATTERNS[kind], table.table(kind))))
     interlocked, kit = None, KitSpec()
     if top.has("interlock"):
         with slips.gathering():
@@ -383,7 +391,20 @@ def _read_strips(
                 else:
                     failed.append(problem)
         with slips.gathering():
-            _require_labels({entry.label for entry in entries[:first]}, entries[first:], top.where)
+            # copies of a part from one table may have the same label
+            used_labels = {entry.label for entry in entries[:first]}
+            known = dict[str, StripEntry]()
+            for new in entries[first:]:
+                twin = known.setdefault(new.label, new)
+                if new.label in used_labels or (
+                    twin is not new and _comparison_key(twin) != _comparison_key(new)
+                ):
+                    raise InputError(
+                        "{place}: two strips have the label {twice!r}. Give each strip a different label, with "
+                        "{{i}} for its number.",
+                        place=top.where,
+                        twice=new.label,
+                    )
             entries[first:] = _with_copies_apart(entries[first:])
     if failed and not entries:
         raise failed[0]
@@ -404,36 +425,6 @@ def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
         replace(entry, spec=entry.spec.changed(frame=entry.frame.shifted(z=k * apart)))
         for k, entry in enumerate(entries)
     ]
-
-
-def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Raise InputError if two strips have the same label, unless they are copies of a part from one table."""
-    known = dict[str, StripEntry]()
-    for entry in entries:
-        first = known.setdefault(entry.label, entry)
-        if entry.label in used_labels or (
-            first is not entry and _comparison_key(first) != _comparison_key(entry)
-        ):
-            raise InputError(
-                (
-                    "{place}: two strips have the label {twice!r}. Give each strip a different label, with {{i}} "
-                    "for its number."
-                ),
-                place=where,
-                twice=entry.label,
-            )
-
-
-def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
-    table.only(*_PATTERNS)
-    if len(table.data) != 1:
-        raise InputError(
-            "{place} needs one of the keys {patterns}. Add one of them.",
-            place=table.where,
-            patterns=", ".join(_PATTERNS),
-        )
-    (kind,) = table.data
-    return kind, reader.given(PATTERNS[kind], table.table(kind))
 
 
 def _comparison_key(entry: StripEntry) -> Any:

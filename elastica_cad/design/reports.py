@@ -172,7 +172,19 @@ def report_strip(
         # curves are not rounded, because strips are made from them again
         "curve": curve_record(rod.curve),
         "check": None if rod.check is None else report_check(rod.check),
-        "nearest": None if near is None else _nearest_report(near),
+        "nearest": None
+        if near is None
+        else {
+            "wish": curve_record(near.target),
+            "status": near.status.name.lower(),
+            "message": near.status.value,
+            "met": near.met,
+            "deviation": plain_data(near.deviation),
+            "binding": [
+                {"name": bound.name, "limit": bound.limit, "cost": plain_data(bound.cost)}
+                for bound in near.binding
+            ],
+        },
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
         **plain_data(numbers),
     }
@@ -296,21 +308,6 @@ def _smoothing_report(smoothing: Smoothing) -> PlainData:
         "ratio_as_drawn": fairing and smoothing.ratio_as_drawn, "healed": smoothing.healed,
     }  # fmt: skip
     return {**plain_data(numbers), "drawn": fairing and curve_record(smoothing.drawn)}
-
-
-def _nearest_report(near: NearestRod) -> PlainData:
-    # `binding` lists the limits that keep the rod away from the drawn curve
-    return {
-        "wish": curve_record(near.target),
-        "status": near.status.name.lower(),
-        "message": near.status.value,
-        "met": near.met,
-        "deviation": plain_data(near.deviation),
-        "binding": [
-            {"name": bound.name, "limit": bound.limit, "cost": plain_data(bound.cost)}
-            for bound in near.binding
-        ],
-    }
 
 
 def report_held(shape: HeldShape) -> PlainData:

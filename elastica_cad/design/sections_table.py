@@ -114,19 +114,16 @@ def compose_section_design(
     radial = { point = [0.0, 0.0, 0.0], axis = [0.0, 0.0, 1.0], zero = [1.0, 0.0, 0.0], count = 8 }
     <BLANKLINE>
     """
-    rows = [{"label": "S{i}", "sections": {**mesh, **_section_keys(sections)}}]
-    return toml_text({"schema": 1, "name": name, **strips, "strips": rows})
-
-
-def _section_keys(spec: SectionSpec) -> dict[str, Any]:
-    """Return the keys of the table `sections`. Default values are omitted, except tolerance and planes."""
-    planes = {RadialCuts: "radial", ParallelCuts: "parallel", AlongPath: "along"}[type(spec.cuts)]
+    # default values are omitted, except tolerance and planes
+    planes = {RadialCuts: "radial", ParallelCuts: "parallel", AlongPath: "along"}[type(sections.cuts)]
     given = {
-        "tolerance": spec.tolerance, "wavelength": spec.wavelength or None, "half": spec.half,
-        "longest": spec.longest or None, "split": [_table_of(split) for split in spec.splits] or None,
-        planes: _table_of(spec.cuts),
+        "tolerance": sections.tolerance, "wavelength": sections.wavelength or None, "half": sections.half,
+        "longest": sections.longest or None, "split": [_table_of(split) for split in sections.splits] or None,
+        planes: _table_of(sections.cuts),
     }  # fmt: skip
-    return {key: value for key, value in given.items() if value is not None}
+    keys = {key: value for key, value in given.items() if value is not None}
+    rows = [{"label": "S{i}", "sections": {**mesh, **keys}}]
+    return toml_text({"schema": 1, "name": name, **strips, "strips": rows})
 
 
 def _table_of(record: Any) -> dict[str, Any]:

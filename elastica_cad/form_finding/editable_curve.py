@@ -62,7 +62,12 @@ def editable_curve(rod: Rod) -> PlaneCurve:
             least, best = error.max(), curve
         if least <= 1:
             break
-        edges = _refined(edges, shape.s[error > 1])
+        # halve the wide ones of the spans that are too inexact, and of the spans beside them
+        width = np.diff(edges)
+        bad = edges.searchsorted(shape.s[error > 1], side="right") - 1
+        bad = np.unique(np.concatenate([bad - 1, bad, bad + 1]).clip(0, width.size - 1))
+        bad = bad[width[bad] > 0.6 * width[bad].max()]
+        edges = np.sort(np.concatenate([edges, edges[bad] + width[bad] / 2]))
     # accept the best fit if its error is at most twice the tolerance
     if best is None or least > 2.0:
         raise NotConvergedError(
@@ -89,15 +94,6 @@ def coarse_curves(rod: Rod, spans: Iterable[int]) -> Iterator[PlaneCurve]:
     for count in spans:
         with suppress(np.linalg.LinAlgError):
             yield _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), count + 1)), rod)
-
-
-def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    # halve the wide ones of the spans that contain `places`, and of the spans beside them
-    width = np.diff(edges)
-    bad = edges.searchsorted(places, side="right") - 1
-    bad = np.unique(np.concatenate([bad - 1, bad, bad + 1]).clip(0, width.size - 1))
-    bad = bad[width[bad] > 0.6 * width[bad].max()]
-    return np.sort(np.concatenate([edges, edges[bad] + width[bad] / 2]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,6 +127,9 @@ def _continuous(rod: Rod) -> _Shape:
 
     The error for n edges is a power series in 1/n^2.
     """
+    from scipy.interpolate import make_interp_spline
+    from scipy.optimize import brentq
+
     plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
     if has_snapped(a) or has_snapped(b):
@@ -145,23 +144,20 @@ def _continuous(rod: Rod) -> _Shape:
     s, size = np.linspace(0, 1, K.size), rod.length
     kappa_0 = np.broadcast_to(rod.natural_curvature, rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
-    bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
+    change = curvature - kappa_0
+    spline = make_interp_spline(s, change, k=5)
+    # arc lengths at which the quintic spline through the change of curvature is 0
+    where = np.flatnonzero(change[:-1] * change[1:] < 0)
+    bends, (start, end) = (
+        np.array([brentq(spline, s[i], s[i + 1], xtol=1e-15) for i in where]),
+        rod.supports.ends,
+    )
     # at an end that is free to turn, drop nearby zeros of the moment, which are rounding errors of the zero
     # at the end
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
     return _Shape(s, position, angle, curvature * size, K, kappa_0 * size, bends, size)
-
-
-def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
-    # arc lengths (k,) at which the quintic spline through kappa (n,) at s (n,) is 0
-    from scipy.interpolate import make_interp_spline
-    from scipy.optimize import brentq
-
-    spline = make_interp_spline(s, kappa, k=5)
-    where = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
-    return np.array([brentq(spline, s[i], s[i + 1], xtol=1e-15) for i in where])
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:

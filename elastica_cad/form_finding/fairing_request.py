@@ -71,7 +71,14 @@ class Smoothing:
         unbent = _unbent_ends(self.drawn, self.supports)
         if self.smooth is not None:
             return _smoothed(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
-        if not _has_steps_or_corners(self.drawn, np.inf if self.with_elements else KINK_SHARE):
+        drawn = self.drawn
+        jumps, kinks = curvature_jumps(
+            drawn, drawn.breaks if drawn.seam is None else (drawn.seam, *drawn.breaks)
+        )
+        slight = np.inf if self.with_elements else KINK_SHARE
+        # only an outline with steps or corners, but without straight pieces, is smoothed
+        rough = (kinks > slight).any() or (jumps > STEP_SHARE).any()
+        if not rough or any(zero.kind == "flat" for zero in drawn.curvature_zeros):
             return None
         try:
             fairing = fair_curve(self.drawn, usual_tolerance(self.drawn), unbent)
@@ -202,13 +209,6 @@ class Smoothing:
                 angle=Angle(sharpest), severity="warning",
             ))  # fmt: skip
         return tuple(notes)
-
-
-def _has_steps_or_corners(curve: PlaneCurve, slight: float) -> bool:
-    """Return True for an outline with steps, or corners above `slight`, but without straight pieces."""
-    jumps, kinks = curvature_jumps(curve, curve.breaks if curve.seam is None else (curve.seam, *curve.breaks))
-    rough = (kinks > slight).any() or (jumps > STEP_SHARE).any()
-    return bool(rough) and all(zero.kind != "flat" for zero in curve.curvature_zeros)
 
 
 def check_smooth(smooth: object) -> float | None:

@@ -62,7 +62,33 @@ class Mesh:
         remaining = remaining[np.sort(first)]
         if not len(remaining):
             raise InputError("all triangles of the mesh have zero area: export the mesh again")
-        reports += _edge_notes(points, remaining)
+        directed = _sides(remaining)
+        edges, side, faces_at = np.unique(
+            np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
+        )
+        # 0 if the two triangles at an edge run along it in opposite directions, as they should
+        sense = np.bincount(side.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
+        defects = (
+            ("the mesh is open along {edges} (near {places}), so sections end there", edges[faces_at == 1]),
+            (
+                "more than two faces meet at {edges} (near {places}): sections are split there",
+                edges[faces_at > 2],
+            ),
+            (
+                "adjacent faces have opposite orientations along {edges} (near {places}): this does not change "
+                "the sections",
+                edges[(faces_at == 2) & (sense != 0)],
+            ),
+        )
+        reports += [
+            note(
+                template,
+                edges="1 edge" if len(found) == 1 else f"{len(found)} edges",
+                places=_places(points, found),
+            )
+            for template, found in defects
+            if len(found)
+        ]
         vars(self).update(vertices=points, faces=remaining, reports=tuple(reports))
 
     @property
@@ -156,32 +182,6 @@ def _complaint(
             count=len(rows), total=total, what=singular if len(rows) == 1 else many, then=then, place=place,
         )
         for place in _places(points, rows[:1])
-    ]  # fmt: skip
-
-
-def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
-    directed = _sides(rows)
-    edges, index, count = np.unique(
-        np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
-    )
-    # 0 if the two triangles at an edge run along it in opposite directions, as they should
-    sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
-    defects = (
-        ("the mesh is open along {edges} (near {places}), so sections end there", edges[count == 1]),
-        ("more than two faces meet at {edges} (near {places}): sections are split there", edges[count > 2]),
-        (
-            "adjacent faces have opposite orientations along {edges} (near {places}): this does not change "
-            "the sections",
-            edges[(count == 2) & (sense != 0)],
-        ),
-    )
-    return [
-        note(
-            template, edges="1 edge" if len(found) == 1 else f"{len(found)} edges",
-            places=_places(points, found),
-        )
-        for template, found in defects
-        if len(found)
     ]  # fmt: skip
 
 

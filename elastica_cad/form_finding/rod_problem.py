@@ -175,21 +175,8 @@ class Search(NamedTuple):
 
 def pose_problem(task: NearestTask) -> RodProblem:
     """Return the nonlinear program for a task."""
-    grid = _grid(task)
-    lower, upper = _box(task, grid)
-    scale, u = np.ones(grid.unknowns.count), grid.unknowns
-    scale[u.moment], scale[u.force] = _moment_scale(task), 5 * _moment_scale(task)
-    return RodProblem(
-        lower, upper, scale, grid=grid, distance=task.mean_distance,
-        constraints=tuple(_constraints(task)),
-    )  # fmt: skip
-
-
-def _grid(task: NearestTask) -> StripGrid:
-    """Return the grid of the rods, with gravity in units of the drawn length.
-
-    With a section, `e` is the direction of gravity, because the weight follows from the section.
-    """
+    # gravity is in units of the drawn length. With a section, `e` is its direction, because the weight follows from
+    # the section
     gravity, section, size = task.request.gravity, task.section, task.target.size
     e, weight = np.zeros(2), None
     if gravity is not None and section is None:
@@ -197,7 +184,14 @@ def _grid(task: NearestTask) -> StripGrid:
     elif gravity is not None and section is not None:
         e, weight = -np.asarray(gravity.direction), partial(section.weight, size=size)
     basis = task.basis.at(even_steps(task.nodes))
-    return StripGrid(basis, e, task.rest, supports=task.request.supports, weight=weight)
+    grid = StripGrid(basis, e, task.rest, supports=task.request.supports, weight=weight)
+    lower, upper = _box(task, grid)
+    scale, u = np.ones(grid.unknowns.count), grid.unknowns
+    scale[u.moment], scale[u.force] = _moment_scale(task), 5 * _moment_scale(task)
+    return RodProblem(
+        lower, upper, scale, grid=grid, distance=task.mean_distance,
+        constraints=tuple(_constraints(task)),
+    )  # fmt: skip
 
 
 def _moment_scale(task: NearestTask) -> float:

@@ -437,7 +437,14 @@ def _curve(
             place=Point(line.places[0]),
             changes=[AT_TWO_PLACES],
         )
-    vertices = _filled(line.points)
+    # add points to long sides, because a curve fitted only to vertices could deviate from the sides
+    s = lengths_along(line.points)
+    # add about 240 points
+    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * 240), 1).astype(int)
+    index = np.arange(len(counts)).repeat(counts)
+    fraction = numbers_in_groups(counts) / counts[index]
+    between = line.points[index] + fraction[:, None] * (line.points[index + 1] - line.points[index])
+    vertices = np.concatenate([between, line.points[-1:]])
     points = smooth_polyline(line.points, wavelength) if wavelength > 0 else vertices
     try:
         curve = PlaneCurve(*fit_spline(points, 4, tolerance), 4)
@@ -451,7 +458,14 @@ def _curve(
         except NotConvergedError as error:
             notes.append(note("{name}: {why}. The curve was not changed", name=line.name, why=error.refusal))
     if notes and not wavelength:
-        _refuse_corners(line, tolerance)
+        turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
+        turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
+        if turned.max(initial=0.0) > SHARP_TURN_RAD:
+            raise InputError(
+                "{sharpest}. Split the section at its corners, export a finer mesh, or smooth the section",
+                sharpest=_sharpest(line, turned),
+                changes=[AT_CORNERS],
+            )
     removed = before - curve.inflections.size
     on_curve = curve.sample(SAMPLES).position
     places = np.concatenate([vertices, on_curve])
@@ -477,30 +491,8 @@ def _curve(
     return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), notes
 
 
-def _filled(points: FloatArray) -> FloatArray:
-    """Add points to long sides, because a curve fitted only to vertices could deviate from the sides."""
-    s = lengths_along(points)
-    # add about 240 points
-    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * 240), 1).astype(int)
-    index = np.arange(len(counts)).repeat(counts)
-    fraction = numbers_in_groups(counts) / counts[index]
-    between = points[index] + fraction[:, None] * (points[index + 1] - points[index])
-    return np.concatenate([between, points[-1:]])
-
-
 def _place(line: SectionLine, point: FloatArray) -> str:
     return note("{place}", place=Point(line.frame.point(point).round(6) + 0.0))
-
-
-def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
-    turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
-    if turned.max(initial=0.0) > SHARP_TURN_RAD:
-        raise InputError(
-            "{sharpest}. Split the section at its corners, export a finer mesh, or smooth the section",
-            sharpest=_sharpest(line, turned),
-            changes=[AT_CORNERS],
-        )
 
 
 def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:

@@ -134,7 +134,15 @@ def split(
     low, high = curve.domain
     first, last = [low] * more + [a for a, _ in ranges], [b for _, b in ranges] + [high] * more
     placed = _divided(cut, _placed(cut, latest, ranges), more)
-    return _splitting(cut, placed, [*zip(first, last, strict=True)])
+    pairs = list(pairwise([low, *placed, high]))
+    s = curve.arc_length(np.array(placed))
+    spans = curve.arc_length(np.array([*zip(first, last, strict=True)]).reshape(-1, 2))
+    return Splitting(
+        tuple(cut.piece(*pair) for pair in pairs),
+        tuple(s.tolist()),
+        tuple((float(a), float(b)) for a, b in spans),
+        tuple(cut.ratio_of(*pair) for pair in pairs),
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,25 +233,18 @@ class _Cut:
                 break
             near = far = float(mark)
         if self.places is not None:
-            return self._reach_of_places(start, near, far)
+            if near == self.curve.domain[1]:
+                return near
+            # find the last given place that the piece reaches; it reaches `near`, but not `far`
+            offered = self.places[(self.places > start) & (self.places < far)]
+            count = bisect_left(offered, True, key=lambda place: not self.takes(start, float(place)))
+            return float(offered[count - 1]) if count else start
         sure = near
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
         # end at the mark if the piece passes the mark by less than `least`, which is a numerical error
         return near if near - sure > self.least else sure
-
-    def _reach_of_places(self, start: float, near: float, far: float) -> float:
-        """Return the last given place that a piece from `start` reaches, or `start`.
-
-        A strip reaches `near`, but does not reach `far`.
-        """
-        if near == self.curve.domain[1]:
-            return near
-        assert self.places is not None
-        offered = self.places[(self.places > start) & (self.places < far)]
-        count = bisect_left(offered, True, key=lambda place: not self.takes(start, float(place)))
-        return float(offered[count - 1]) if count else start
 
     def turned(self, t: FloatArray) -> FloatArray:
         """Return the parameters of the same positions on the reversed curve, in increasing order."""
@@ -369,15 +370,3 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
         at = best[at]
         chosen.append(float(stage[at]))
     return chosen[::-1]
-
-
-def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[float, float]]) -> Splitting:
-    pairs = list(pairwise([cut.curve.domain[0], *supports, cut.curve.domain[1]]))
-    s = cut.curve.arc_length(np.array(supports))
-    spans = cut.curve.arc_length(np.array(ranges).reshape(-1, 2))
-    return Splitting(
-        tuple(cut.piece(*pair) for pair in pairs),
-        tuple(s.tolist()),
-        tuple((float(a), float(b)) for a, b in spans),
-        tuple(cut.ratio_of(*pair) for pair in pairs),
-    )

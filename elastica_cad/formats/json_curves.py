@@ -58,24 +58,8 @@ def read_json_drawing(file: Path, *, unit: str | None = None, **_: Any) -> Drawn
             "has no record with the schema {curves_schema!r}: give a file that elastica wrote",
             curves_schema=CURVES_SCHEMA,
         )
-    _require_schema(data)
-    unit_name = data.get("units", "mm")
-    stated = str(unit_name.get("length", "mm") if isinstance(unit_name, dict) else unit_name)
-    scale = look_up_unit(unit or stated)
-    known = ReadUnit.requested(unit) if unit else ReadUnit(stated, "stated", "units")
-    curves = [data["curve"]] if "curve" in data else data.get("curves")
-    if not isinstance(curves, list) or not curves:
-        raise InputError("has no list of curves: add the list 'curves', with a record for each curve")
-    drawn = []
-    for i, record in enumerate(curves, start=1):
-        make = partial(_curve, record, "curve" if "curve" in data else f"curve {i}", scale)
-        drawn.append(DrawnCurve(i, make, kinds={"spline": 1}))
-    return DrawnFile(file, drawn, unit=known)
-
-
-def _require_schema(data: dict[str, Any]) -> None:
     schema = data.get("schema")
-    name, _, version = str(schema).partition("/")
+    name, _slash, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
         raise InputError(
             "has the schema {schema}, but curves are read only from {curves_schema!r} and from reports of "
@@ -88,6 +72,18 @@ def _require_schema(data: dict[str, Any]) -> None:
             "has the schema {schema}, which is newer than this program: update the program",
             schema=quoted(schema),
         )
+    unit_name = data.get("units", "mm")
+    stated = str(unit_name.get("length", "mm") if isinstance(unit_name, dict) else unit_name)
+    scale = look_up_unit(unit or stated)
+    known = ReadUnit.requested(unit) if unit else ReadUnit(stated, "stated", "units")
+    curves = [data["curve"]] if "curve" in data else data.get("curves")
+    if not isinstance(curves, list) or not curves:
+        raise InputError("has no list of curves: add the list 'curves', with a record for each curve")
+    drawn = []
+    for i, record in enumerate(curves, start=1):
+        make = partial(_curve, record, "curve" if "curve" in data else f"curve {i}", scale)
+        drawn.append(DrawnCurve(i, make, kinds={"spline": 1}))
+    return DrawnFile(file, drawn, unit=known)
 
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:

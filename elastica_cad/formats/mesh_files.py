@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._process import interrupts_held
 from elastica_cad._units import look_up_unit
-from elastica_cad.errors import InputError, Length, missing_library, note
+from elastica_cad.errors import InputError, Length, missing_library
 from elastica_cad.form_finding.plane_sections import Mesh, mesh_sections
 from elastica_cad.form_finding.section_spec import Surface
 from elastica_cad.formats.source_file import MESH_SUFFIXES, name_source, quiet_log, require_file
@@ -76,7 +76,17 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             raise InputError("has no faces: export a mesh, not points or lines")
         model = Mesh(vertices * factor, faces)
         if unit is None and not LIKELY_SIZES_MM[0] <= model.size <= LIKELY_SIZES_MM[1]:
-            raise InputError(_unlikely_size_message(model.size))
+            guesses = {name: model.size * look_up_unit(name) for name in ("um", "cm", "in", "m")}
+            likely = [
+                name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]
+            ]
+            hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
+            likely_unit = likely[-1] if likely else "m"
+            raise InputError(
+                "is {size:.3g} from corner to corner, an unlikely size in mm, and a mesh file has no unit: set the "
+                "unit, such as --unit {unit} or unit = \"{unit}\"{hint}, or mm if the size is right",
+                size=model.size, unit=likely_unit, hint=hint,
+            )  # fmt: skip
         return model
 
 
@@ -107,18 +117,6 @@ def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
         b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
         for index, count in zip(indices, counts, strict=False)
     )
-
-
-def _unlikely_size_message(size: float) -> str:
-    guesses = {name: size * look_up_unit(name) for name in ("um", "cm", "in", "m")}
-    likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
-    hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
-    unit = likely[-1] if likely else "m"
-    return note(
-        "is {size:.3g} from corner to corner, an unlikely size in mm, and a mesh file has no unit: set the unit, "
-        "such as --unit {unit} or unit = \"{unit}\"{hint}, or mm if the size is right",
-        size=size, unit=unit, hint=hint,
-    )  # fmt: skip
 
 
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6

@@ -123,7 +123,14 @@ class PointTable:
             raise InputError(
                 "the file has the units {names}: give x and y in one unit", names=" and ".join(units)
             )
-        columns, message = _plain_numbers(columns, separator, look_up_unit(units[0] if units else "mm"))
+        # use decimal points, and remove separators of thousands
+        columns = _mapped(
+            columns,
+            lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _GROUPED.fullmatch(cell) else cell,
+        )
+        cells = [(n, cell) for _, lines in columns for n, line in lines for cell in line]
+        group, message = _group_sign(cells, separator, look_up_unit(units[0] if units else "mm"))
+        columns = _mapped(columns, lambda cell: cell.replace(group, "").replace(",", "."))
         return cls(columns, next(iter(units), None), message, layout.is_offsets)
 
 
@@ -341,20 +348,6 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
         return match[1]
 
     return _mapped(columns, bare), list(units)
-
-
-def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
-    """Return the columns with decimal points and without separators of thousands.
-
-    Also return a message, which is "" unless the separators are ambiguous.
-    """
-    columns = _mapped(
-        columns,
-        lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _GROUPED.fullmatch(cell) else cell,
-    )
-    cells = [(n, cell) for _, rows in columns for n, row in rows for cell in row]
-    group, message = _group_sign(cells, separator, scale)
-    return _mapped(columns, lambda cell: cell.replace(group, "").replace(",", ".")), message
 
 
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:

@@ -188,7 +188,16 @@ class _Reader:
             for run in self._read(shape, to_mm):
                 count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
                 yield run
-        self._report_left_out({shape.element for shape in shown} - {shape.element for shape in painted})
+        unpainted = {shape.element for shape in shown} - {shape.element for shape in painted}
+        hidden = self.shapes.elements - self.drawn - unpainted
+        counts = {"hidden or empty shape": len(hidden), "shape without stroke and fill": len(unpainted)}
+        # adding drops counts of 0
+        self.skipped += Counter(counts)
+        if self.bad and len(self.bad) == len(self.drawn):
+            raise next(iter(self.bad.values()))
+        for element, problem in self.bad.items():
+            name = f" {title}" if (title := Name.of(element).shown) else ""
+            self.skipped[f"{tag(element)}{name} that {problem}"] += 1
 
     def _read(self, shape: Shape, to_mm: FloatArray) -> Iterator[Run]:
         """Yield the runs of a shape, mm. A shape that cannot be read is noted in `bad`."""
@@ -224,21 +233,6 @@ class _Reader:
             self.clipped[source.name or tag(element)] = None
         for run in runs:
             yield tuple(edge.mapped(matrix[:, :2], matrix[:, 2], source) for edge in run)
-
-    def _report_left_out(self, unpainted: set[Element]) -> None:
-        """Count shapes that are hidden, unpainted or unreadable.
-
-        If no shape can be read, raise the first error.
-        """
-        hidden = self.shapes.elements - self.drawn - unpainted
-        counts = {"hidden or empty shape": len(hidden), "shape without stroke and fill": len(unpainted)}
-        # adding drops counts of 0
-        self.skipped += Counter(counts)
-        if self.bad and len(self.bad) == len(self.drawn):
-            raise next(iter(self.bad.values()))
-        for element, problem in self.bad.items():
-            name = f" {shown}" if (shown := Name.of(element).shown) else ""
-            self.skipped[f"{tag(element)}{name} that {problem}"] += 1
 
     def remarks(self) -> tuple[str, ...]:
         clipped = [note(

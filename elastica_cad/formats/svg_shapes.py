@@ -214,22 +214,18 @@ class SvgShapes:
         if kind in _SHAPES:
             self._add(element, context)
         elif kind == "use":
-            self._clone(element, context)
+            link = element.get("href", "") or element.get("{http://www.w3.org/1999/xlink}href", "")
+            target = self._named.get(link[1:]) if link.startswith("#") else None
+            if target in self._open:
+                self.left_out[element] = "clone of itself"
+            elif target is not None:
+                self._visit(target, context, element)
         else:
             for child in element:
                 self._visit(child, context)
         self._open.remove(element)
         if self._shape_count == before:
             self._empty.add(element)
-
-    def _clone(self, element: Element, context: Context) -> None:
-        """Collect the shapes of the element to which a `use` refers, unless it contains itself."""
-        link = element.get("href", "") or element.get("{http://www.w3.org/1999/xlink}href", "")
-        target = self._named.get(link[1:]) if link.startswith("#") else None
-        if target in self._open:
-            self.left_out[element] = "clone of itself"
-        elif target is not None:
-            self._visit(target, context, element)
 
     def _add(self, element: Element, context: Context) -> None:
         """Collect a shape, unless it is hidden.

@@ -17,10 +17,10 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.geometry.path import Spline, distances, polyline_distances
-from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
+from elastica_cad.geometry.plane_curve import CORNER_RAD, PlaneCurve
 from elastica_cad.geometry.plane_points import dot, is_smooth_around, left_of, norm, unit_vectors
 from elastica_cad.geometry.splines import bezier_spans, closed_spline, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
@@ -247,7 +247,18 @@ class _Problem:
             # neighbours stay close together if both halves of the curve are numbered in turn
             self.places = np.minimum(2 * place, 2 * (spans - place) - 1)
         else:
-            self.places = self._hold_ends(curve.at(np.array([0.0, self.length])), unbent)
+            ends = curve.at(np.array([0.0, self.length]))
+            step = self.width / DEGREE * unit_vectors(ends.angle)
+            # two fixed control points keep an end and its tangent; a third makes the curvature 0
+            first, last = (3 if is_unbent else 2 for is_unbent in unbent)
+            # on a straight line with constant speed, the first control points are 0, 1 and 3 `step` from the end
+            reach = np.array([0.0, 1.0, 3.0])[:, None]
+            self.held[:first] = (ends.position[0] + reach * step[0])[:first]
+            self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
+            # index of each control point among the unknowns, -1 if it is fixed
+            places = np.arange(len(self.held)) - first
+            places[-last:] = -1
+            self.places = np.maximum(places, -1)
         self.columns = (2 * self.places[self.support][..., None] + np.arange(2)).reshape(spans, -1)
         size = int(self.columns.max()) + 1
         row, column = self.columns[:, :, None], self.columns[:, None, :]
@@ -260,19 +271,6 @@ class _Problem:
             np.concatenate([self._rows(self.across, 0), self._rows(slide, 0)], axis=1),
             np.concatenate([dot(self.data, self.across), dot(self.data, slide)], axis=1),
         )
-
-    def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
-        """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
-        step = self.width / DEGREE * unit_vectors(ends.angle)
-        # two fixed control points keep an end and its tangent; a third makes the curvature 0
-        first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # on a straight line with constant speed, the first control points are 0, 1 and 3 times `step` from the end
-        reach = np.array([0.0, 1.0, 3.0])[:, None]
-        self.held[:first] = (ends.position[0] + reach * step[0])[:first]
-        self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
-        places = np.arange(len(self.held)) - first
-        places[-last:] = -1
-        return np.maximum(places, -1)
 
     def _rows(self, direction: FloatArray, derivative: int) -> FloatArray:
         """Return the matrices (spans, n, 10) of one component of a derivative of the curve at n samples.

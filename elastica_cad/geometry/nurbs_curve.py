@@ -224,7 +224,9 @@ class RationalPieces:
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
         """Return position and derivatives up to `order` at local coordinates u (n,) of the spans `index` (n,)."""
         # columns: x, y (and w of a rational curve), then their derivatives order by order
-        values = sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series_to(order), index)
+        if order not in self._known:
+            self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
+        values = sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._known[order], index)
         size = values.shape[1] // (order + 1)
         rows = [values[:, k : k + size] for k in range(0, values.shape[1], size)]
         if self.rational:
@@ -268,12 +270,6 @@ class RationalPieces:
     def tangent_cones(self) -> TangentCones:
         """Parts of the curve on which the tangent turns by less than 180 degrees."""
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
-
-    def _series_to(self, order: int) -> FloatArray:
-        # `_series` of all orders 0 to `order`, side by side on the last axis, stored in `_known` by order
-        if order not in self._known:
-            self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
-        return self._known[order]
 
     def _series(self, order: int) -> FloatArray:
         """Return derivatives of one order as coefficients (p, degree + 1, 2 or 3) of `scaled_bernstein`.

@@ -8,7 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
-from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import is_number, numbers, require_flag, require_number, require_positive, several
 from elastica_cad.errors import InputError, Length
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -424,45 +424,6 @@ def _initial_parameters(segment: Segment, tolerance: float) -> FloatArray:
     return distinct(np.concatenate([[0.0], (inner - t0) / (t1 - t0), [0.5, 1.0]])) if inner.size else _HALVES
 
 
-def _halve_chords(
-    at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
-    tolerance: float,
-) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Insert points until chords are accurate. Return segment indices, parameters u and points (n, 2).
-
-    The function `at` returns points of the segments `which` (n,) at u (n,); both are in the order of the points.
-    Only chords that start at a parameter with `bent` (n,) True are divided.
-    """
-    spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
-    number, low, high = which[spans], u[spans], u[spans + 1]
-    points = at(which, u)
-    begins, ends = points[spans], points[spans + 1]
-    rounds = [(which, u, points)]
-    while len(rounds) <= MOST_ROUNDS:
-        inner = low[:, None] + (high - low)[:, None] * _PROBES
-        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
-        # the factor allows for a largest error between the probes
-        bad = _chord_errors(begins, ends, probes) > 0.95 * tolerance
-        if not bad.any():
-            break
-        number, middle, points = number[bad], inner[bad, 1], probes[bad, 1]
-        rounds.append((number, middle, points))
-        number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
-        begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
-    which, u, points = map(np.concatenate, zip(*rounds, strict=True))
-    order = np.lexsort((u, which))
-    return which[order], u[order], points[order]
-
-
-def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
-    # largest distances (k,) of probes (k, 3, 2) from the chords between points (k, 2)
-    chord, off = ends - begins, probes - begins[:, None, :]
-    size = dot(chord, chord)[:, None]
-    # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
-    along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
-    return np.asarray(norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1), dtype=float)
-
-
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
 """Function of segment indices (n,), parameters u (n,) and an order, for segments of one kind.
 
@@ -514,9 +475,34 @@ def _chords(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, Fl
     which, u = np.arange(len(places)).repeat([row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     if not bent.any():
-        points = [segment.at(u) for segment, u in zip(segments, places, strict=True)]
-        return which, u, np.concatenate(points)
-    return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)
+        at_places = [segment.at(u) for segment, u in zip(segments, places, strict=True)]
+        return which, u, np.concatenate(at_places)
+    at = SegmentTable(segments).at
+    # insert points into the chords of bent segments until the chords are accurate
+    spans = np.flatnonzero(bent[which][:-1] & (which[1:] == which[:-1]))
+    number, low, high = which[spans], u[spans], u[spans + 1]
+    points = at(which, u)
+    begins, ends = points[spans], points[spans + 1]
+    rounds = [(which, u, points)]
+    while len(rounds) <= MOST_ROUNDS:
+        inner = low[:, None] + (high - low)[:, None] * _PROBES
+        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
+        chord, off = ends - begins, probes - begins[:, None, :]
+        size = dot(chord, chord)[:, None]
+        # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
+        along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
+        errors = norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1)
+        # the factor allows for a largest error between the probes
+        bad = errors > 0.95 * tolerance
+        if not bad.any():
+            break
+        number, middle, points = number[bad], inner[bad, 1], probes[bad, 1]
+        rounds.append((number, middle, points))
+        number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
+        begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
+    which, u, points = map(np.concatenate, zip(*rounds, strict=True))
+    order = np.lexsort((u, which))
+    return which[order], u[order], points[order]
 
 
 def _kind(segment: Segment) -> Hashable:
@@ -532,7 +518,15 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
     """Return a function that evaluates segments of one kind together, at different parameters."""
     arcs = [segment for segment in segments if isinstance(segment, Arc)]
     if arcs:
-        return _on_circles(arcs)
+        centers = np.array([arc.center for arc in arcs])
+        radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
+
+        def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
+            out = unit_vectors(starts[which] + u * sweeps[which] + derivative * np.pi / 2)
+            out *= (radii[which] * sweeps[which] ** derivative)[:, None]
+            return out if derivative else out + centers[which]
+
+        return motion
     lines = [segment for segment in segments if isinstance(segment, Line)]
     splines = [segment for segment in segments if isinstance(segment, Spline)]
     if lines:
@@ -546,19 +540,6 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
         [spline.curve.control_points for spline in splines],
         first.curve.degree,
     )
-
-
-def _on_circles(arcs: Sequence[Arc]) -> _Motion:
-    """Return the motion of arcs: points or derivatives of the arcs `which` at parameters u from 0 to 1."""
-    centers = np.array([arc.center for arc in arcs])
-    radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
-
-    def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
-        out = unit_vectors(starts[which] + u * sweeps[which] + derivative * np.pi / 2)
-        out *= (radii[which] * sweeps[which] ** derivative)[:, None]
-        return out if derivative else out + centers[which]
-
-    return motion
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
@@ -595,7 +576,12 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
     if isinstance(segment, Line):
         return _to_chords(p, segment.start[None], segment.end[None])[0][:, 0]
     if isinstance(segment, Arc):
-        return _to_arc(p, segment)
+        off = p - segment.center
+        turn = np.sign(segment.sweep) * (angle_of(off) - segment.start_angle)
+        # True for points whose nearest point of the circle is on the arc
+        on = np.mod(turn, 2 * np.pi) <= abs(segment.sweep)
+        ends = [norm(p - end) for end in (segment.start, segment.end)]
+        return np.where(on, np.abs(norm(off) - segment.radius), np.minimum(*ends))
     blocks = [p[i : i + _BLOCK] for i in range(0, max(len(p), 1), _BLOCK)]
     return np.concatenate([_to_spline(block, segment) for block in blocks])
 
@@ -636,14 +622,6 @@ def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray,
     where /= np.where(square > 0, square, 1.0)
     np.clip(where, 0.0, 1.0, out=where)
     return np.hypot(where * dx - left, where * dy - down), where
-
-
-def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
-    off = p - arc.center
-    # True for points whose nearest point of the circle is on the arc
-    on = np.mod(np.sign(arc.sweep) * (angle_of(off) - arc.start_angle), 2 * np.pi) <= abs(arc.sweep)
-    ends = [norm(p - end) for end in (arc.start, arc.end)]
-    return np.where(on, np.abs(norm(off) - arc.radius), np.minimum(*ends))
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:

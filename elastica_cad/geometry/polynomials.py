@@ -196,7 +196,20 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     signs before and after it differ, else a touch. The first and last coefficient must exceed the rounding errors
     (see `divide_out_end_root`).
     """
-    return _classified(c, _merged(sorted(_events(c, noise))))
+    events = _merged(sorted(_events(c, noise)))
+    zeros = []
+    # an interval of rounding errors has a multiple root, which is a crossing if the signs on both sides differ
+    for k, (piece, a, b, sharp) in enumerate(events):
+        if sharp:
+            zeros.append(Root(piece, a, True))
+            continue
+        before = events[k - 1][2] if k and events[k - 1][0] == piece else 0.0
+        after = events[k + 1][1] if k + 1 < len(events) and events[k + 1][0] == piece else 1.0
+        sides = np.array([(before + a) / 2, (b + after) / 2])
+        values, _ = value_and_slope(np.tile(c[piece], (2, 1)), sides)
+        crossing = bool(values[0] * values[1] < 0)
+        zeros.append(Root(piece, _multiple_root(c[piece], a, b, crossing=crossing), crossing))
+    return zeros
 
 
 def _events(c: FloatArray, noise: FloatArray) -> list[_Event]:
@@ -292,25 +305,6 @@ def _merged(events: list[_Event]) -> list[_Event]:
                 continue
         merged.append((piece, a, b, sharp))
     return merged
-
-
-def _classified(c: FloatArray, events: list[_Event]) -> list[Root]:
-    """Return a root for each event, with True if the polynomial changes its sign there.
-
-    An interval of rounding errors has a multiple root, which is a crossing if the signs on both sides differ.
-    """
-    zeros = []
-    for k, (piece, a, b, sharp) in enumerate(events):
-        if sharp:
-            zeros.append(Root(piece, a, True))
-            continue
-        before = events[k - 1][2] if k and events[k - 1][0] == piece else 0.0
-        after = events[k + 1][1] if k + 1 < len(events) and events[k + 1][0] == piece else 1.0
-        sides = np.array([(before + a) / 2, (b + after) / 2])
-        values, _ = value_and_slope(np.tile(c[piece], (2, 1)), sides)
-        crossing = bool(values[0] * values[1] < 0)
-        zeros.append(Root(piece, _multiple_root(c[piece], a, b, crossing=crossing), crossing))
-    return zeros
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:

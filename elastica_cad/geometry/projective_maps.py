@@ -127,24 +127,11 @@ def map_spline(
     if (image[:, 2] > 0).all() or (image[:, 2] < 0).all():
         return knots, project(image), np.abs(image[:, 2])
     bezier, edges = pieces()
-    parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
-    ends = np.array([*(start for start, _ in parts), edges[-1]])
-    t = np.pad(ends.repeat(degree), 1, mode="edge")
-    # neighbours share an end point, so omit the first control point of all pieces but the first
-    points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
-    return t, project(points), np.abs(points[:, 2])
-
-
-def _positive_pieces(
-    bezier: FloatArray, edges: FloatArray, back: FloatArray
-) -> list[tuple[float, FloatArray]]:
-    """Return Bezier pieces with positive weights, and the parameter at which each begins.
-
-    Pieces are halved where the map could send a point to infinity. `back` is the inverse map.
-    """
-    sign = np.sign(bezier[0, 0, 2])
+    # halve the pieces where the map could send a point to infinity
+    mapped = bezier @ m.T
+    sign = np.sign(mapped[0, 0, 2])
     # stack of start, end, control points and number of halvings, with the first piece on top
-    todo = [(float(a), float(b), p * sign, 0) for a, b, p in zip(edges[:-1], edges[1:], bezier, strict=True)][
+    todo = [(float(a), float(b), p * sign, 0) for a, b, p in zip(edges[:-1], edges[1:], mapped, strict=True)][
         ::-1
     ]
     done: list[tuple[float, FloatArray]] = []
@@ -154,7 +141,7 @@ def _positive_pieces(
             done.append((a, piece))
             continue
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
-            x, y, w = back @ _vanishing(piece)
+            x, y, w = np.asarray(np.linalg.inv(m), dtype=float) @ _vanishing(piece)
             raise InputError(
                 f"the projective map moves the curve near {place(np.array([x, y]) / w)} to infinity: "
                 "move the handles less"
@@ -162,4 +149,8 @@ def _positive_pieces(
         left, right = subdivide_pieces(piece)
         middle = (a + b) / 2
         todo += [(middle, b, right, depth + 1), (a, middle, left, depth + 1)]
-    return done
+    ends = np.array([*(start for start, _ in done), edges[-1]])
+    t = np.pad(ends.repeat(degree), 1, mode="edge")
+    # neighbours share an end point, so omit the first control point of all pieces but the first
+    points = np.concatenate([done[0][1], *(p[1:] for _, p in done[1:])])
+    return t, project(points), np.abs(points[:, 2])

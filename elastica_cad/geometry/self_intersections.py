@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.geometry.nurbs_curve import (
     NurbsCurve,
     cut_into_tangent_cones,
@@ -76,24 +76,18 @@ def find_self_intersections(
         first, second = first[~tiny], second[~tiny]
         if not first.size:
             break
-        part, low, high, first, second = _halved(part, low, high, first, second)
+        # halve the parts that are in a pair
+        used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
+        first, second = index[: first.size], index[first.size :]
+        halves = np.stack(subdivide_pieces(part[used]), axis=1).reshape(-1, *part.shape[1:])
+        middle = (low[used] + high[used]) / 2
+        low = np.stack([low[used], middle], axis=1).ravel()
+        high = np.stack([middle, high[used]], axis=1).ravel()
+        # the halves of part i are 2 i and 2 i + 1; each pair gives four pairs of halves, equal parts only three
+        a = (2 * first[:, None] + np.array([0, 0, 1, 1])).ravel()
+        b = (2 * second[:, None] + np.array([0, 1, 0, 1])).ravel()
+        part, first, second = halves, a[a <= b], b[a <= b]
     return _distinct(_polished(np.concatenate(guesses), motion, edges, small), edges)
-
-
-def _halved(
-    part: FloatArray, low: FloatArray, high: FloatArray, first: IntArray, second: IntArray
-) -> tuple[FloatArray, FloatArray, FloatArray, IntArray, IntArray]:
-    """Return the halves of the parts in pairs, with their parameters `low` and `high`, and the new pairs."""
-    used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
-    first, second = index[: first.size], index[first.size :]
-    halves = np.stack(subdivide_pieces(part[used]), axis=1).reshape(-1, *part.shape[1:])
-    middle = (low[used] + high[used]) / 2
-    low = np.stack([low[used], middle], axis=1).ravel()
-    high = np.stack([middle, high[used]], axis=1).ravel()
-    # the halves of part i are 2 i and 2 i + 1; each pair gives four pairs of halves, without doubles of equal parts
-    a = (2 * first[:, None] + np.array([0, 0, 1, 1])).ravel()
-    b = (2 * second[:, None] + np.array([0, 1, 0, 1])).ravel()
-    return halves, low, high, a[a <= b], b[a <= b]
 
 
 def _polished(

@@ -9,9 +9,9 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import lapack
-from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive
-from elastica_cad.errors import InputError, Length, NotConvergedError, Point, note, quoted
+from elastica_cad.errors import InputError, Length, NotConvergedError, Point, quoted
 from elastica_cad.geometry.plane_points import (
     FEWEST_AROUND,
     begun_at,
@@ -514,9 +514,18 @@ def adaptive_spline(
         bad = error > max(accepted, 0.05 * float(error.max()))
         if not bad.any():
             return full, coefficients
-        _refuse_endless(edges, bad, error, tolerance)
+        narrow = bad & (np.diff(edges) < _NARROWEST_SHARE * (edges[-1] - edges[0]))
+        if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
+            at = np.where(bad, error, 0.0).argmax()
+            raise NotConvergedError(
+                f"no spline approximates the function within {tolerance:g}: near {edges[at]:.6g} the error "
+                f"stays {error[at]:.3g}; give this place in `breaks`, or set a larger tolerance"
+            )
         parts = np.ones(low.size, dtype=int)
-        worst = _with_wide_neighbours(widths, bad)
+        # narrow spans cannot compensate for wide spans, so the wide neighbours of bad spans are divided too
+        worst = bad.copy()
+        worst[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
+        worst[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
         # the error of a span is proportional to width^(degree + 1)
         parts[worst] = np.clip((error[worst] / accepted) ** (1 / (degree + 1)), 2, 8)
         start = low.repeat(parts) + numbers_in_groups(parts) * (widths / parts).repeat(parts)
@@ -592,24 +601,6 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
     return np.asarray(solution.reshape(spans.count, *values.shape[2:]), dtype=float)
 
 
-def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
-    narrow = bad & (np.diff(edges) < _NARROWEST_SHARE * (edges[-1] - edges[0]))
-    if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
-        worst = np.where(bad, error, 0.0).argmax()
-        raise NotConvergedError(
-            f"no spline approximates the function within {tolerance:g}: near {edges[worst]:.6g} the error "
-            f"stays {error[worst]:.3g}; give this place in `breaks`, or set a larger tolerance"
-        )
-
-
-def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Mark the bad spans and their wide neighbours, because narrow spans cannot compensate for wide spans."""
-    cut = bad.copy()
-    cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
-    cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
-    return cut
-
-
 def fit_spline(
     points: ArrayLike, degree: int, tolerance: float, smoothing: float | None = None
 ) -> tuple[FloatArray, FloatArray]:
@@ -655,7 +646,14 @@ def fit_spline(
                 break
             # the linear system of an interpolation is dense
             if many and (alike < 0.2 or len(data) > 1000):
-                raise NotConvergedError(_scatter(data, error, tolerance))
+                far, typical = error.argmax(), float(np.sqrt((error**2).mean()))
+                raise NotConvergedError(
+                    "the points have noise of {typical:.2g} about a smooth curve, up to {worst:.2g} (at {place}), "
+                    "more than the tolerance of {tolerance:g}: set a tolerance of about {enough:.1g} or a "
+                    "smoothing, or remove outliers",
+                    typical=Length(typical), worst=Length(error[far]), place=Point(data[far]),
+                    tolerance=Length(tolerance), enough=Length(1.5 * error[far]),
+                )  # fmt: skip
             return _through(data, degree)
         before = worst
         inner = np.concatenate([inner, added])
@@ -855,17 +853,6 @@ def _knots_for(t: FloatArray, degree: int) -> FloatArray:
     """Return knots at the points, or between the points for even degrees, to avoid oscillations of the spline."""
     inner = t[1:-1] if degree % 2 else midpoints(t)
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
-
-
-def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
-    worst, typical = error.argmax(), float(np.sqrt((error**2).mean()))
-    return note(
-        "the points have noise of {typical:.2g} about a smooth curve, up to {worst:.2g} (at {place}), more "
-        "than the tolerance of {tolerance:g}: set a tolerance of about {enough:.1g} or a smoothing, or remove "
-        "outliers",
-        typical=Length(typical), worst=Length(error[worst]), place=Point(data[worst]),
-        tolerance=Length(tolerance), enough=Length(1.5 * error[worst]),
-    )  # fmt: skip
 
 
 def distinct_points(points: ArrayLike) -> FloatArray:

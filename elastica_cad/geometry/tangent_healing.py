@@ -95,7 +95,15 @@ def heal_tangents(
         Largest rounding error of a coordinate, mm: half a unit of the last written digit.
     """
     turns = [_turn(knots, control_points, degree, node, rounding) for node in _nodes(knots, degree)]
-    if _closes(knots, control_points, degree, weights):
+    even = weights is None or weights[0] == weights[-1]
+    size = norm(np.ptp(control_points, axis=0))
+    # heal the tangent at the seam of a closed curve
+    if (
+        is_clamped(knots, degree)
+        and even
+        and len(control_points) > degree + 1
+        and norm(control_points[-1] - control_points[0]) <= 1e-9 * size
+    ):
         around = _control_points_at_seam(control_points, degree)
         # `_turn` uses the knots only for the parameter of the node, here the start of the curve
         turns.append(_turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding))
@@ -156,17 +164,6 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
         return Turn(float(knots[node + 1]), points[node], angle, 0.0, 0.0)
     bound = float(np.arcsin(np.minimum(2 * np.sqrt(2.0) * rounding / lengths, 1.0)).sum())
     return Turn(float(knots[node + 1]), points[node].copy(), angle, bound, float(lengths.min()))
-
-
-def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    even = weights is None or weights[0] == weights[-1]
-    size = norm(np.ptp(points, axis=0))
-    return bool(
-        is_clamped(knots, degree)
-        and even
-        and len(points) > degree + 1
-        and norm(points[-1] - points[0]) <= 1e-9 * size
-    )
 
 
 def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:

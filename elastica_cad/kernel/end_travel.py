@@ -94,7 +94,11 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
         flat = _unrolled(points, radius)
         triangles.append(corners + sum(len(rows) for rows in places))
         places.append(flat)
-        normals.append(_normals(flat, corners))
+        # unit normals at the corners: means of the adjacent triangles, weighted by their areas
+        a, b, c = flat[corners.T]
+        sums = np.zeros_like(flat)
+        np.add.at(sums, corners.T, np.cross(b - a, c - a))
+        normals.append(np.asarray(sums / np.maximum(np.linalg.norm(sums, axis=1), 1e-30)[:, None]))
     return SkinMesh(np.concatenate(places), np.concatenate(normals), np.concatenate(triangles))
 
 
@@ -119,14 +123,6 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
     flat[bent, 0] = turn[bent] * radius
     flat[bent, 2] = norm(points[bent, :2]) - radius
     return flat
-
-
-def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
-    # return unit normals (n, 3) at the corners: means of the adjacent triangles, weighted by their areas
-    a, b, c = places[corners.T]
-    normals = np.zeros_like(places)
-    np.add.at(normals, corners.T, np.cross(b - a, c - a))
-    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-30)[:, None])
 
 
 @dataclass(frozen=True, eq=False)

@@ -52,7 +52,14 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     def add(thing: Any) -> Any:
         function = thing.__init__ if isclass(thing) else thing
         given = plain_signature(function)
-        written = _with_keys(given, keys)
+        named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
+        taken = {entry.name for entry in named}
+        added = [
+            Parameter(name, Parameter.KEYWORD_ONLY, default=PlainText("..."), annotation=PlainText(kind))
+            for name, (kind, _) in keys.items()
+            if name not in taken
+        ]
+        written = given.replace(parameters=[*named, *added])
         call = _checked(function, given, written)
         if isclass(thing):
             thing.__init__, call = call, thing  # type: ignore[method-assign]  # each class has its own
@@ -83,23 +90,20 @@ def _checked(function: Callable[..., Any], given: Signature, written: Signature)
         [name for name, entry in written.parameters.items() if entry.kind is kind]
         for kind in (Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY)
     )
+    public = [name for name in placed if name != "self"]
+    hint = (
+        f"takes {' and '.join(public) or 'no argument'} by position. Pass other arguments by name, "
+        f"such as {named[0]}=..."
+    )
 
     @wraps(function)
     def call(*args: Any, **options: Any) -> Any:
         try:
             given.bind(*args, **options)
         except TypeError as error:
-            problem, owner = str(error), ""
-            public = [name for name in placed if name != "self"]
-            if public != placed:
-                owner = f"{type(args[0]).__name__}."
-            if len(args) > len(placed) and named:
-                problem = (
-                    f"takes {' and '.join(public) or 'no argument'} by position. Pass other arguments by name, "
-                    f"such as {named[0]}=..."
-                )
+            owner = "" if public == placed else f"{type(args[0]).__name__}."
             name = f"{owner}{function.__name__}".removesuffix(".__init__")
-            raise TypeError(f"{name}: {problem}") from None
+            raise TypeError(f"{name}: {hint if len(args) > len(placed) else error}") from None
         return function(*args, **options)
 
     return call
@@ -119,15 +123,3 @@ def _with_first_parameters(text: str) -> str:
     section = re.search(r"^.+\n-{3,}$", text, re.MULTILINE)
     place = section.start() if section else len(text)
     return "\n\n".join(part for part in (text[:place].rstrip(), first.rstrip(), text[place:]) if part)
-
-
-def _with_keys(given: Signature, keys: dict[str, tuple[str, str]]) -> Signature:
-    """Return a signature with the keys as keyword arguments in place of `**options`."""
-    named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
-    taken = {entry.name for entry in named}
-    added = [
-        Parameter(name, Parameter.KEYWORD_ONLY, default=PlainText("..."), annotation=PlainText(kind))
-        for name, (kind, _) in keys.items()
-        if name not in taken
-    ]
-    return given.replace(parameters=[*named, *added])

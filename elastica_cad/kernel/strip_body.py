@@ -5,6 +5,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, hypot
+from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict, TypeVar
 
 from elastica_cad._text import printable
@@ -277,6 +278,28 @@ class MadeStrip:
         return make_face(in_smooth_pieces(self.strip.outline), holes)
 
 
+class SlidingEnd:
+    """Animation of a strip whose end moves, common to the sliders of all CAD libraries."""
+
+    travel: Any
+    parent: Any
+
+    @property
+    def _frame(self) -> Frame:
+        """Current plane of the strip. The plane moves with the body when the body is joined to others."""
+        return self.parent.frame if isinstance(self.parent, StripBody) else self.travel.frame
+
+    def write_glb(
+        self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
+    ) -> None:
+        """Write an animation of the movement, forward and backward.
+
+        An existing file is overwritten only with `force`.
+        """
+        moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
+        moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
+
+
 class StripBody:
     """Properties that a body of a strip has in every CAD library."""
 
@@ -347,9 +370,9 @@ class StripBody:
             raise InputError(f"{self.label} is a block, which has no flat pattern. Write it as STEP or STL.")
         return self.strip.drawing()
 
-    def _named_parts(self) -> Sequence[Any]:
+    def _named_parts(self: Any) -> Sequence[Any]:
         # return the parts of the body for files, with names and colours: the sheets of a bent strip
-        raise NotImplementedError
+        return (self,) if self._made.home is None else self.layers
 
     @property
     def placed(self) -> Placed:

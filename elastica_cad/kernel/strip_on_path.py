@@ -99,11 +99,29 @@ def make_strip_on(
     options = {name: value for name, value in options.items() if value is not None}
     _refuse_unknown(options)
     color = color_numbers(options.pop("color")) if "color" in options else None
-    _require_curve(path)
+    if isinstance(path, str | PathLike):
+        raise InputError(
+            f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
+        )
+    rows = list(path) if is_series(path) and (isinstance(path, Sequence) or hasattr(path, "tolist")) else []
+    if rows and all(
+        _is_vector(row) or (bare(row) is row and is_series(row) and all(map(is_number, row))) for row in rows
+    ):
+        raise InputError(
+            f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
+            "ec.PlaneCurve.fit(points) or a CAD library's spline."
+        )
     if "ends" in options:
-        _require_tabs(options["ends"])
+        ends = options["ends"]
+        lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
+        if lengths:
+            raise InputError(
+                f"`ends` contains the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
+            )
     if "slots" in options:
-        options["slots"] = _slots_in_rad(options["slots"])
+        in_degrees = several("slots", options["slots"], Slot, "Slot")
+        warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
+        options["slots"] = tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
     frame = _frame_of(options.pop("plane")) if "plane" in options else None
     if isinstance(path, Strip | StripBody):
         late = [*(("sheet",) if sheet is not None else ()), *options]
@@ -150,35 +168,6 @@ def make_strip_on(
             far=Length(deviation), percent=100 * deviation / strip.rod.length,
         ))  # fmt: skip
     return MadeStrip(strip, frame, deviation, color=color)
-
-
-def _require_curve(path: Any) -> None:
-    if isinstance(path, str | PathLike):
-        raise InputError(
-            f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
-        )
-    rows = list(path) if is_series(path) and (isinstance(path, Sequence) or hasattr(path, "tolist")) else []
-    if rows and all(
-        _is_vector(row) or (bare(row) is row and is_series(row) and all(map(is_number, row))) for row in rows
-    ):
-        raise InputError(
-            f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
-            "ec.PlaneCurve.fit(points) or a CAD library's spline."
-        )
-
-
-def _require_tabs(ends: Any) -> None:
-    lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
-    if lengths:
-        raise InputError(
-            f"`ends` contains the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
-        )
-
-
-def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    in_degrees = several("slots", slots, Slot, "Slot")
-    warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
-    return tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
 
 
 def make_fixture_on(

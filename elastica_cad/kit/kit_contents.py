@@ -147,15 +147,33 @@ def kit_contents(
         model = _with_each(model, lambda strip: replace(strip, unmarked=True))
     model = _with_each(model, lambda strip: joined_within(strip, _shop_of(strip, spec, requests)))
     deviations = _deviations(model, entries)
+    unstable = ((part, instability(part.strip, stability(part.strip.rod))) for part in model.parts)
+    # names of the pre-bent parts by their message
+    pre_bent = dict[str, list[str]]()
+    for part in model.parts:
+        pre_bent.setdefault(pre_bend_message(part.strip), []).append(part.name)
+    pre_bent.pop("", None)
     messages = [
-        *_departure_notes(model, requests, deviations), *_instability_notes(model),
-        *_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
-    ]  # fmt: skip
+        *_departure_notes(model, requests, deviations),
+        *(warning.at(strip=part.name) for part, warning in unstable if warning is not None),
+        *(
+            note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
+            for words, names in pre_bent.items()
+        ),
+        *_strip_faults(model, spec, requests),
+        *_tip_notes("rings", model.plates),
+    ]
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
+    # joined strips are replaced by their pieces
+    pieces_of = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces = (
-        *_parts_to_cut(strips, joined),
+        *(
+            replace(part, count=piece.count)
+            for piece in strips
+            for part in pieces_of.get(piece.name, (piece,))
+        ),
         *count_pieces(plate.piece for plate in model.plates),
         *spec.extras(model),
     )
@@ -182,7 +200,14 @@ def kit_contents(
     messages += crowded_blocks([holder for holder in holders if isinstance(holder, EndFixture)], model.placed)
     messages += missing_slots(model.placed, model.joints, brief=True)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}
-    messages += _unheld_messages(model, unheld)
+    if unheld:
+        (first, ends), *_ = unheld.items()
+        messages.append(note(
+            "{name}{more}: nothing holds its {ends}, so the shape of the strip is unknown. Add a holder "
+            "(stand, fixtures), or hold this end at its position on the assembly sheet.",
+            name=distinct_names(model.placed)[first], more=and_more([*unheld]),
+            ends=sentences([END_NAMES[end] for end in ends], " & "),
+        ))  # fmt: skip
     held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else (None, ())
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     if spec.reference_bar is not None and spec.cutting.service:
@@ -192,7 +217,15 @@ def kit_contents(
                 "checking your own machine."
             )
         )
-    messages += _rod_notes(pieces, spec)
+    if long := [
+        piece for piece in pieces if piece.is_rod and piece.size[0] > spec.shop.stock_for(piece.sheet)[0]
+    ]:
+        messages.append(note(
+            "{rods}: longer than the rods that you buy ({length:g}). Join each from the lengths in the cut list "
+            "with sleeves, or state the length of your rods in {field}.",
+            rods=Listed(piece.name for piece in long), length=Length(spec.shop.stock_for(long[0].sheet)[0]),
+            field=FieldName("shop.stock"),
+        ))  # fmt: skip
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     numbers = (
         ()
@@ -249,14 +282,6 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
     return replace(shop, stock=(min(first, long), min(second, short)))
 
 
-def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    # joined strips are replaced by their pieces
-    parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
-    return tuple(
-        replace(part, count=piece.count) for piece in strips for part in parts.get(piece.name, (piece,))
-    )
-
-
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     """Return messages on faults of the parts if their limits are ignored; otherwise, faults are raised."""
     messages: list[str] = []
@@ -274,11 +299,6 @@ def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]
             clear.add(alike)
     reported = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(messages) if text not in reported)
-
-
-def _instability_notes(model: Model) -> list[str]:
-    warnings = ((part, instability(part.strip, stability(part.strip.rod))) for part in model.parts)
-    return [warning.at(strip=part.name) for part, warning in warnings if warning is not None]
 
 
 def _deviations(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
@@ -327,17 +347,6 @@ def _departure_notes(
     return messages
 
 
-def _pre_bend_notes(model: Model) -> list[str]:
-    alike = dict[str, list[str]]()
-    for part in model.parts:
-        alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
-    alike.pop("", None)
-    return [
-        note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
-        for words, names in alike.items()
-    ]
-
-
 def count_strips(model: Model) -> str:
     """Return a text with the number of strips and the number of their different shapes."""
     count = len(model.placed)
@@ -360,20 +369,6 @@ def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:
         yield Stock(sheet.full_name, (length,), len(rods), lines)
 
 
-def _rod_notes(pieces: Sequence[Piece], spec: KitSpec) -> list[str]:
-    rods = [piece for piece in pieces if piece.is_rod]
-    long = [piece.name for piece in rods if piece.size[0] > spec.shop.stock_for(piece.sheet)[0]]
-    if not long:
-        return []
-    return [
-        note(
-            "{rods}: longer than the rods that you buy ({length:g}). Join each from the lengths in the cut list "
-            "with sleeves, or state the length of your rods in {field}.",
-            rods=Listed(long), length=Length(spec.shop.stock_for(rods[0].sheet)[0]), field=FieldName("shop.stock"),
-        )
-    ]  # fmt: skip
-
-
 def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:
     pieces = [piece for piece in pieces if not piece.is_rod]
     return nest_pieces(
@@ -383,20 +378,6 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
 
 END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("end (2)")}
 """Names of the ends, with the numbers that are engraved on strips and slots."""
-
-
-def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
-    if not unheld:
-        return []
-    names = distinct_names(model.placed)
-    (first, ends), *_ = unheld.items()
-    return [
-        note(
-            "{name}{more}: nothing holds its {ends}, so the shape of the strip is unknown. Add a holder "
-            "(stand, fixtures), or hold this end at its position on the assembly sheet.",
-            name=names[first], more=and_more([*unheld]), ends=sentences([END_NAMES[end] for end in ends], " & "),
-        )
-    ]  # fmt: skip
 
 
 def _shapes_in_holders(
@@ -433,19 +414,18 @@ def _shapes_in_holders(
             notes.append(f"{name}: {shape}")
         else:
             held_shapes[name] = shape
-    return held_shapes, (*notes, *_deviation_notes(model, held_shapes))
-
-
-def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> list[str]:
-    names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
-    deviating = [
-        f"{name} {Length(held[name].deviation):.2g}"
+    if deviating := [
+        f"{name} {Length(held_shapes[name].deviation):.2g}"
         for name in names
-        if name in locked and name in held and held[name].deviation > CLEARANCE
-    ]
-    text = (
-        "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If their slots "
-        "do not meet, bend the strips by hand until they do."
-    )
-    return [note(text, room=Length(CLEARANCE), strips=", ".join(deviating))] if deviating else []
+        if name in locked and name in held_shapes and held_shapes[name].deviation > CLEARANCE
+    ]:
+        notes.append(
+            note(
+                "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If "
+                "their slots do not meet, bend the strips by hand until they do.",
+                room=Length(CLEARANCE),
+                strips=", ".join(deviating),
+            )
+        )
+    return held_shapes, tuple(notes)

@@ -137,10 +137,22 @@ def model_kit(
         )
     files += [text_file(csv, listed.csv, "cut list"), text_file(txt, str(listed), "cut list")]
     if step:
-        from elastica_cad.kernel.step_files import model_shapes
+        from elastica_cad.kernel.mesh_files import write_glb
+        from elastica_cad.kernel.step_files import model_shapes, write_step
 
         shapes = cache(partial(model_shapes, model, contents.holders))
-        files += _assemblies(model.name, f"{MODEL}/{name}", shapes)
+        files += (
+            File(
+                f"{MODEL}/{name}.step",
+                lambda path: write_step(shapes(), path, name=model.name),
+                "assembly for CAD programs",
+            ),
+            File(
+                f"{MODEL}/{name}.glb",
+                lambda path: write_glb(shapes(), path, name=model.name),
+                "assembly for browsers and phones",
+            ),
+        )
     if pictures:
         picture = partial(draw_file, partial(draw_model, model, holders=contents.holders))
         files.append(File(f"{MODEL}/{name}.png", picture, "picture of the model"))
@@ -157,10 +169,27 @@ def model_kit(
         kind = "side view of a rod" if piece.is_rod else "part"
         files += cutting_files(piece.drawing, stem, cutting, piece.sheet, kind)
     if step:
-        files += _block_files(contents, shapes)
+        to_print, holders = contents.blocks, [*single_holders(contents.holders)]
+        stems = distinct(file_word(block.label) for block in to_print)
+        # the bodies of the holders come last in the assembly
+        places = [k - len(holders) for k, holder in enumerate(holders) if isinstance(holder, EndFixture)]
+        files += [
+            File(f"{PARTS}/{stem}.stl", partial(_save_block, block, place, shapes), "block to print")
+            for stem, block, place in zip(stems, to_print, places, strict=True)
+        ]
     files.append(File(json, lambda path: write_json(path, report), "report"))
     files.append(File(page, lambda path: write_text(path, _start_page(contents, report)), "this page"))
-    files += _archives(name, files, PARTS if cutting.service else SHEETS) if archives else ()
+    if archives:
+        # one archive has the files to cut or print, every part once; the other has all files except DXF and STL
+        names, place = [file.name for file in files], PARTS if cutting.service else SHEETS
+        cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
+        viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
+        files += (
+            File(
+                f"{name}-cut.zip", lambda path: pack_files(path.parent, cut, path), "what is cut or printed"
+            ),
+            File(f"{name}-look.zip", lambda path: pack_files(path.parent, viewed, path), "what is looked at"),
+        )
     report = contents.report | {"files": {file.name: file.description for file in files}}
     return Kit(tuple(files), report)
 
@@ -361,17 +390,6 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
     return [f"{blocks}: {files[0]}{f' to {files[-1]}' if count > 1 else ''}, foot down."]
 
 
-def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
-    """Return two archives: files to cut or print, with every part once, and all files except DXF and STL."""
-    names = [file.name for file in files]
-    cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
-    viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
-    return (
-        File(f"{name}-cut.zip", lambda path: pack_files(path.parent, cut, path), "what is cut or printed"),
-        File(f"{name}-look.zip", lambda path: pack_files(path.parent, viewed, path), "what is looked at"),
-    )
-
-
 def pack_files(folder: Path, names: Sequence[str], target: Path | BytesIO) -> None:
     """Write files of a folder to a ZIP archive."""
     with ZipFile(target, "w") as archive:
@@ -380,31 +398,6 @@ def pack_files(folder: Path, names: Sequence[str], target: Path | BytesIO) -> No
             # without this mode, only root could read the unpacked files on Unix
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, (folder / name).read_bytes(), ZIP_DEFLATED)
-
-
-def _assemblies(name: str, stem: str, shapes: "Callable[[], list[NamedShape]]") -> tuple[File, File]:
-    from elastica_cad.kernel.mesh_files import write_glb
-    from elastica_cad.kernel.step_files import write_step
-
-    return (
-        File(f"{stem}.step", lambda path: write_step(shapes(), path, name=name), "assembly for CAD programs"),
-        File(
-            f"{stem}.glb",
-            lambda path: write_glb(shapes(), path, name=name),
-            "assembly for browsers and phones",
-        ),
-    )
-
-
-def _block_files(contents: KitContents, shapes: "Callable[[], list[NamedShape]]") -> list[File]:
-    blocks, holders = contents.blocks, [*single_holders(contents.holders)]
-    stems = distinct(file_word(block.label) for block in blocks)
-    # the bodies of the holders come last in the assembly
-    places = [k - len(holders) for k, holder in enumerate(holders) if isinstance(holder, EndFixture)]
-    return [
-        File(f"{PARTS}/{stem}.stl", partial(_save_block, block, place, shapes), "block to print")
-        for stem, block, place in zip(stems, blocks, places, strict=True)
-    ]
 
 
 def _save_block(block: EndFixture, place: int, shapes: "Callable[[], list[NamedShape]]", path: Path) -> None:

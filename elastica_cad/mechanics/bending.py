@@ -262,7 +262,25 @@ def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
     if not elements:
         requested.supports.require_held()
     system = system_of(requested, rod, start, end, change.angles, force=change.force, moment=change.moment)
-    _refuse_out_of_reach(elements, system)
+    # refuse places that hold the strip if the straight way from each to the next is longer than the strip;
+    # the strip may stay away from a one-sided rail
+    rails = [
+        (action.s[0], action.mounting.point)
+        for action in sorted(elements, key=lambda action: float(action.s[0]))
+        if isinstance(action.element, Rail) and not action.is_one_sided
+    ]
+    for (s, place), (next_s, next_place) in pairwise(fixed_places(elements, system)):
+        over = [point for at, point in rails if s < at < next_s]
+        apart = float(norm(np.diff([place, *over, next_place], axis=0)).sum())
+        if apart > (next_s - s) * (1 + MEETS_SHARE) + MEETS_SHARE * system.length:
+            raise InputError(
+                "The strip must be at least {apart:.6g} long from {first} over the rails to {second}, but it is "
+                "only {length:.6g} long there. Move the rails or the ends closer." if over else
+                "The places {first} and {second} at which the strip is held are {apart:.6g} apart, but the strip "
+                "between them is only {length:.6g} long. Move the pin closer.",
+                first=Point(tuple(place)), second=Point(tuple(next_place)), apart=Length(apart),
+                length=Length(next_s - s),
+            )  # fmt: skip
     if isinstance(change.loads, str) and change.loads == "keep":
         return (_leg(requested, rod, system, change),)
     loaded = _with_loads(requested, change.loads)
@@ -328,28 +346,6 @@ def fixed_places(elements: Sequence[ElementForce], system: RodSystem) -> list[tu
     return sorted(held, key=lambda item: item[0])
 
 
-def _refuse_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
-    """Refuse places that hold the strip if the straight way from each to the next is longer than the strip."""
-    # the strip may stay away from a one-sided rail
-    rails = [
-        (action.s[0], action.mounting.point)
-        for action in sorted(elements, key=lambda action: float(action.s[0]))
-        if isinstance(action.element, Rail) and not action.is_one_sided
-    ]
-    for (s, place), (next_s, next_place) in pairwise(fixed_places(elements, system)):
-        over = [point for at, point in rails if s < at < next_s]
-        apart = float(norm(np.diff([place, *over, next_place], axis=0)).sum())
-        if apart > (next_s - s) * (1 + MEETS_SHARE) + MEETS_SHARE * system.length:
-            raise InputError(
-                "The strip must be at least {apart:.6g} long from {first} over the rails to {second}, but it is "
-                "only {length:.6g} long there. Move the rails or the ends closer." if over else
-                "The places {first} and {second} at which the strip is held are {apart:.6g} apart, but the strip "
-                "between them is only {length:.6g} long. Move the pin closer.",
-                first=Point(tuple(place)), second=Point(tuple(next_place)), apart=Length(apart),
-                length=Length(next_s - s),
-            )  # fmt: skip
-
-
 def _begins(action: ElementForce, shape: ShapeOfRod) -> Mount:
     """Return where a rail, pin or tie begins: at the present shape if it acts there, or else in its place."""
     mount, beyond = action.mounting, violation(action, shape)
@@ -398,7 +394,17 @@ def segment_to(requested: Rod, rod: Rod, system: RodSystem) -> tuple[Segment, Vi
     """Return the path from the present shape of `rod` to `system`, and the shape as its first visit."""
     elements, shape = requested.between, ShapeOfRod.of(rod)
     mounts = tuple(_begins(action, shape) for action in elements)
-    segment = Segment(_present(rod, system, elements), system, elements, mounts)
+    n, length = rod.s.size, rod.length
+    # forces of rails, pins and ties that are replaced by `elements` count as loads
+    replaced = lumped(rod.between, n, length) - lumped(elements, n, length)
+    present = replace(
+        system,
+        start=rod.position[0], end=rod.position[-1], end_angles=rod.angle[[0, -1]],
+        load=_present_load(rod) + (replaced if rod.between else 0.0),
+        force=_end_force(None, system.supports, rod),
+        moments=_end_moments(None, system.supports, rod),
+    )  # fmt: skip
+    segment = Segment(present, system, elements, mounts)
     begins = segment.elements_at(0.0, elements)
     taut = _taut(begins, shape)
     return segment, Visit(0.0, state_of(rod, segment.system(0.0, begins, taut)), begins, taut)
@@ -431,18 +437,15 @@ def _leg(
     if requested.between:
         path.visits[-1].require_held()
     leg = Leg(path, requested, **kind)
-    _require_balanced(leg.rod(1.0))
-    return leg
-
-
-def _require_balanced(rod: Rod) -> None:
-    """Require that the forces of the result on a bent rod, and their moments, add up to zero."""
-    nodes, acting, moment = rod.position, rod.acting, rod.moment
-    points = [nodes[[0, -1]], nodes, *(action.points_on(nodes, rod.length) for action in acting)]
-    forces = [rod.support_forces, rod.nodal_load, *(action.force for action in acting)]
+    # require that the forces of the result, and their moments, add up to zero
+    bent = leg.rod(1.0)
+    nodes, acting, moment = bent.position, bent.acting, bent.moment
+    points = [nodes[[0, -1]], nodes, *(action.points_on(nodes, bent.length) for action in acting)]
+    forces = [bent.support_forces, bent.nodal_load, *(action.force for action in acting)]
     rest = np.abs(resultant(
-        np.concatenate(points) - nodes[0], np.concatenate(forces), rod.length, moment=float(moment[-1] - moment[0]),
-        other=float(np.abs(moment).max()) / rod.length + SMALLEST_FORCE / rod.length**2,
+        np.concatenate(points) - nodes[0], np.concatenate(forces), bent.length,
+        moment=float(moment[-1] - moment[0]),
+        other=float(np.abs(moment).max()) / bent.length + SMALLEST_FORCE / bent.length**2,
     )).max()  # fmt: skip
     if rest > BALANCED_SHARE:
         raise NotConvergedError(
@@ -450,6 +453,7 @@ def _require_balanced(rod: Rod) -> None:
             "samples",
             percent=100 * float(rest),
         )
+    return leg
 
 
 def first_visit(
@@ -691,22 +695,6 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     # the reactions are the part of the edge forces that the loads do not explain, the same for all edges
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
-
-
-def _present(rod: Rod, system: RodSystem, elements: Sequence[ElementForce] = ()) -> RodSystem:
-    """Return the equations of the present ends and loads of a rod, with the supports of `system`.
-
-    Forces of rails, pins and ties that are replaced by `elements` count as loads.
-    """
-    n, length = rod.s.size, rod.length
-    replaced = lumped(rod.between, n, length) - lumped(elements, n, length)
-    return replace(
-        system,
-        start=rod.position[0], end=rod.position[-1], end_angles=rod.angle[[0, -1]],
-        load=_present_load(rod) + (replaced if rod.between else 0.0),
-        force=_end_force(None, system.supports, rod),
-        moments=_end_moments(None, system.supports, rod),
-    )  # fmt: skip
 
 
 def _present_load(rod: Rod) -> FloatArray:

@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from math import radians
+from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_one_of, is_series, require_positive
+from elastica_cad._types import ArrayLike
+from elastica_cad._values import is_number, is_one_of, is_series, pair, require_positive
 from elastica_cad.errors import InputError, Length, note
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit, unit_vectors
@@ -129,34 +130,38 @@ def elastica_between(
     >>> drooping.rod.position[-1].round(2).tolist()
     [94.36, -30.17]
     """
-    first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
-    if not (is_number(length) or isinstance(length, float)):
-        raise InputError(f"length is {length!r}: give a number in mm, larger than the distance of the ends")
+    first, (near, far) = pair(start, "start"), _pair_of_angles(angles)
+    require_positive(length, "length")
     if not is_one_of(side, (1, -1)):
         raise InputError(
             f"side is {side!r}: give 1 for a bulge left of the line from start to end, -1 for right"
         )
     if end is None:
-        require_positive(length, "length")
         if near is None:
             raise InputError(
                 "with a free end, the strip turns about its start unless its start is clamped: give the angle "
                 "at the start"
             )
-        bent = _bent_by_loads(
-            Rod.straight(
-                length, stiffness, samples=samples, start=first, angle=near, gravity=None,
-                supports=Supports("clamped", End(x=False, y=False, angle=far is not None)),
-            ),
-            far, gravity, force, side=side,
+        rod = Rod.straight(
+            length, stiffness, samples=samples, start=first, angle=near, gravity=None,
+            supports=Supports("clamped", End(x=False, y=False, angle=far is not None)),
         )  # fmt: skip
+        load: Any = {
+            "angles": (None, None if far is None else _nearest_turn(far, float(rod.angle[0]))),
+            "gravity": gravity,
+            "force": np.zeros(2) if force is None else pair(force, "force"),
+        }
+        with suppress(InputError):  # `bend` refuses a force below the buckling load of a straight rod
+            bent = bend(rod, **load, side=side)
+            return ElasticaBetween(bent, _side(bent), mode)
+        bent = bend(rod, **load)
         return ElasticaBetween(bent, _side(bent), mode)
     if force is not None:
         raise InputError("a force needs a free end, but the end is held: give None for the end, or no force")
-    last = _point(end, "end")
+    last = pair(end, "end")
     chord = last - first
     distance = float(norm(chord))
-    if not (is_number(length) and length > distance > 0):
+    if not length > distance > 0:
         raise InputError(
             "a strip {length:.6g} long does not bend between ends that are {distance:.6g} apart: make the "
             "strip longer than the distance of its ends, and this distance larger than 0",
@@ -175,42 +180,6 @@ def elastica_between(
     return ElasticaBetween(bent, _side(bent), mode)
 
 
-def _bent_by_loads(
-    rod: Rod,
-    far: float | None,
-    gravity: Gravity | None,
-    force: ArrayLike | None,
-    *,
-    side: int,
-) -> Rod:
-    load = np.zeros(2) if force is None else _plane_point(force)
-    if load is None:
-        raise InputError(f"force is {force!r}: give two numbers, each a force / bending stiffness in 1/mm2")
-    angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
-    with suppress(InputError):  # `bend` refuses a force below the buckling load of a straight rod
-        return bend(rod, angles=angles, gravity=gravity, force=load, side=side)
-    return bend(rod, angles=angles, gravity=gravity, force=load)
-
-
-def _point(point: object, name: str) -> FloatArray:
-    place = _plane_point(point)
-    if place is None:
-        raise InputError(f"{name} is {point!r}: give a point (x, y), two numbers in mm")
-    return place
-
-
-def _plane_point(point: object) -> FloatArray | None:
-    coordinates = point.toTuple() if hasattr(point, "toTuple") else point
-    try:
-        place = np.array(list(coordinates) if is_series(coordinates) else (), dtype=float)
-    except (TypeError, ValueError):
-        return None
-    # the point is in the plane of the curve, except for rounding errors, mm
-    if place.shape == (3,) and abs(place[2]) <= 1e-6:
-        place = place[:2]
-    return place if place.shape == (2,) and np.isfinite(place).all() else None
-
-
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
     """Convert two angles from degrees to radians. None means that the end turns freely."""
     near, far = _pair_of_angles(angles)
@@ -220,13 +189,13 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
 
 
 def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
-    pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
-    if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
+    both = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
+    if len(both) != 2 or not all(angle is None or is_number(angle) for angle in both):
         raise InputError(
             f"angles are {angles!r}: give two numbers, for start and end, or None for an end that turns "
             "freely"
         )
-    near, far = pair
+    near, far = both
     return near, far
 
 

@@ -382,29 +382,21 @@ def shoot(
     bends, rests = w / stiffness, np.ascontiguousarray(np.broadcast_to(w * natural_curvature, w.shape))
     across, along = edge_length * force[:, 1], -edge_length * force[:, 0]
     if _native.compiled is None:
-        return _shoot_in_python(bends, rests, across, along, float(moment), float(angle))
+        # a node adds bend M + rest to the angle; an edge adds pull_x cos(angle) + pull_y sin(angle) to the moment M
+        M, alpha = float(moment), float(angle)
+        n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
+        pull_x, pull_y = across.tolist(), along.tolist()
+        angles, moments = [alpha], [M]
+        for i in range(n):  # plain floats are twenty times faster here than arrays
+            alpha += bend[i] * M + rest[i]
+            if not -_WOUND_UP_RAD < alpha < _WOUND_UP_RAD:
+                alpha = M = nan
+            M += pull_x[i] * cos(alpha) + pull_y[i] * sin(alpha)
+            angles.append(alpha)
+            moments.append(M)
+        angles.append(alpha + bend[n] * M + rest[n])
+        return np.array(angles), np.array(moments)
     return _native.shoot(bends, rests, across, along, float(moment), float(angle), _WOUND_UP_RAD)
-
-
-def _shoot_in_python(
-    bends: FloatArray, rests: FloatArray, across: FloatArray, along: FloatArray, M: float, alpha: float
-) -> tuple[FloatArray, FloatArray]:
-    """Return the angles and moments of a rod from its start, as `_native.shoot` does.
-
-    A node adds bends M + rests to the angle; an edge adds across cos(angle) + along sin(angle) to the moment M.
-    """
-    n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
-    pull_x, pull_y = across.tolist(), along.tolist()
-    angles, moments = [alpha], [M]
-    for i in range(n):  # plain floats are twenty times faster here than arrays
-        alpha += bend[i] * M + rest[i]
-        if not -_WOUND_UP_RAD < alpha < _WOUND_UP_RAD:
-            alpha = M = nan
-        M += pull_x[i] * cos(alpha) + pull_y[i] * sin(alpha)
-        angles.append(alpha)
-        moments.append(M)
-    angles.append(alpha + bend[n] * M + rest[n])
-    return np.array(angles), np.array(moments)
 
 
 def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:

@@ -446,7 +446,12 @@ def _unbent_rod(request: RodRequest) -> Rod:
         reason = "Under a point force a straight strip bends. Draw the shape into which it bends."
         raise NotRealizable(refused(check, reason))
     if request.section is not None:
-        rod = _uniform_rod(rod, request.section)
+        bent = request.section.bent(0.0)
+        size = bent.deciding_limit
+        scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
+        masses = () if rod.weight is None else rod.weight.masses
+        own = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
+        rod = replace(rod, bending_stiffness=scale, weight=own)
     if request.gravity is None:
         return rod
     chord = nodes.position[-1] - nodes.position[0]
@@ -465,16 +470,6 @@ def _unbent_rod(request: RodRequest) -> Rod:
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
-def _uniform_rod(rod: Rod, section: Section) -> Rod:
-    """Return the rod with the deciding limit of the section (its largest or least size) everywhere."""
-    bent = section.bent(0.0)
-    size = bent.deciding_limit
-    scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
-    masses = () if rod.weight is None else rod.weight.masses
-    weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
-    return replace(rod, bending_stiffness=scale, weight=weight)
-
-
 def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     """Return the rod with a balanced stiffness, divided by its least value, and with warnings."""
     check, nodes = request.check, request.nodes
@@ -490,7 +485,20 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     change = nodes.curvature - nodal_curvature(request.natural_curvature, nodes.s)
     effective = change if request.law is None else request.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
-    warnings = _without_kinks_at(balance.between, check)
+    # drop the cautions about kinks that rails, pins and ties cause
+    near = KINK_SHARE * check.curve.length
+    stations = [s for action in balance.between for s in action.s]
+    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
+
+    def is_expected(s: float) -> bool:
+        at_station, at_jump = (any(abs(s - at) <= near for at in places) for places in (stations, jumps))
+        return at_station and not at_jump
+
+    warnings = tuple(
+        warning
+        for warning in check.cautions
+        if not (is_about_kinks(warning) and all(map(is_expected, warning.values["places"])))
+    )
     if check.moved > 1e-3:
         warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
@@ -517,23 +525,6 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
 
 KINK_SHARE = 0.005
 """Largest distance of a rail, pin or tie from a kink that its force causes, as a fraction of the length."""
-
-
-def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
-    """Return the cautions of the check, without those about kinks that rails, pins and ties cause."""
-    near = KINK_SHARE * check.curve.length
-    stations = [s for action in actions for s in action.s]
-    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
-
-    def is_expected(s: float) -> bool:
-        at_station, at_jump = (any(abs(s - at) <= near for at in places) for places in (stations, jumps))
-        return at_station and not at_jump
-
-    return tuple(
-        warning
-        for warning in check.cautions
-        if not (is_about_kinks(warning) and all(map(is_expected, warning.values["places"])))
-    )
 
 
 def _slack_in(balance: BalancedStiffness) -> tuple[ElementForce, ...]:

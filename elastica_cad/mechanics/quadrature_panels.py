@@ -159,7 +159,12 @@ def cut_into_panels(
     finer = between[
         _distances_from_nearest(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])
     ]
-    edges = np.array(_without_close_neighbours(sorted(places + finer.tolist()), close))
+    sorted_places = sorted(places + finer.tolist())
+    distinct_places = sorted_places[:1]
+    for place in sorted_places[1:]:
+        if place - distinct_places[-1] > close:
+            distinct_places.append(place)
+    edges = np.array(distinct_places)
     flags = _distances_from_nearest(edges, vanishing) <= close
     # cut a panel with zeros at both ends in two, so that each panel has at most one zero
     tail, parts = np.full(edges.size - 1, np.inf), np.where(flags[:-1] & flags[1:], 2, 1)
@@ -195,14 +200,6 @@ def nearest_of(places: FloatArray, t: FloatArray) -> IntArray:
 def _distances_from_nearest(t: FloatArray, sorted_places: list[float]) -> FloatArray:
     places = np.array(sorted_places or [np.inf])
     return np.asarray(np.abs(t - places[nearest_of(places, t)]))
-
-
-def _without_close_neighbours(places: list[float], close: float) -> list[float]:
-    distinct_places = places[:1]
-    for place in places[1:]:
-        if place - distinct_places[-1] > close:
-            distinct_places.append(place)
-    return distinct_places
 
 
 def _evaluated(

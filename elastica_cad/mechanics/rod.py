@@ -774,7 +774,12 @@ class Rod:
         if self.shape is not None:
             return self.shape
         if self.compression is not None:
-            return self._stretched_curve()
+            start = self.position[0]
+            stretch = norm(np.diff(self.position, axis=0)).sum() / self.length
+            even = integrate_edges(
+                self.s, start + (self.position - start) / stretch, self.angle, self._bent_part
+            )
+            return replace(even, control_points=start + (even.control_points - start) * stretch)
         if has_even_edges(self.s, self.position):
             return integrate_edges(self.s, self.position, self.angle, self._bent_part)
         return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
@@ -788,12 +793,6 @@ class Rod:
             return None
         low, high = min(places) * free[0], max(places) if free[1] else self.length
         return (low, high) if high - low > _SHORTEST_BENT * (self.length / (self.s.size - 1)) else None
-
-    def _stretched_curve(self) -> PlaneCurve:
-        start = self.position[0]
-        stretch = norm(np.diff(self.position, axis=0)).sum() / self.length
-        even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle, self._bent_part)
-        return replace(even, control_points=start + (even.control_points - start) * stretch)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
         """Return the rod with another stiffness profile, before `bend` computes its equilibrium.

@@ -98,23 +98,19 @@ def anticlastic_factor(
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
     flat = -x * slope / 2  # term of the moment for a strip that is flat before bending
-    limited = _limited_curl(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
+    limited = flat
+    if rest.ndim or rest:
+        # correct the term for the natural curvature. Where kappa is 0, any finite `share` gives the limit 0 of
+        # `scaled`, because `flat` is 0 there
+        share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
+        scaled = share * flat
+        above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
+        limited = (
+            scaled.clip(0, flat)
+            + _smoothly_limited(above, 1 + 2 * ratio - flat)
+            - _smoothly_limited(below, 2 - nu**2 - 2 * ratio)
+        )
     return np.asarray((1 + nu**2 * (limited - 2 * ratio)) / (1 - nu**2))
-
-
-def _limited_curl(
-    flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
-) -> FloatArray:
-    """Correct the term `flat` of `anticlastic_factor` for the natural curvature `rest`, 1/mm."""
-    # where kappa is 0, any finite `share` gives the limit 0 of `scaled`, because `flat` is 0 there
-    share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
-    scaled = share * flat
-    above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
-    return np.asarray(
-        scaled.clip(0, flat)
-        + _smoothly_limited(above, 1 + 2 * ratio - flat)
-        - _smoothly_limited(below, 2 - nu**2 - 2 * ratio)
-    )
 
 
 def _smoothly_limited(excess: FloatArray, limit: FloatArray) -> FloatArray:

@@ -545,7 +545,13 @@ class Sheet:
                 )
         grain: object = self.grain
         if is_number(grain):
-            object.__setattr__(self, "grain", self._grain_at(grain))
+            turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
+            if grain % 180 not in turned:
+                raise InputError(
+                    f"sheet {self.name!r}: grain is {grain:g} degrees, but a strip at an angle to its grain twists "
+                    "when it is bent. Lay the strip along (0) or across (90) the grain"
+                )
+            object.__setattr__(self, "grain", turned[grain % 180])
         if not is_one_of(self.grain, get_args(Grain)):
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
@@ -559,15 +565,6 @@ class Sheet:
         sheet = copy(self)
         vars(sheet).update(density=share * self.density, density_range=None)
         return sheet
-
-    def _grain_at(self, degrees: float) -> Grain:
-        turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
-        if degrees % 180 not in turned:
-            raise InputError(
-                f"sheet {self.name!r}: grain is {degrees:g} degrees, but a strip at an angle to its grain twists "
-                "when it is bent. Lay the strip along (0) or across (90) the grain"
-            )
-        return turned[degrees % 180]
 
     @classmethod
     def of(cls, given: "Sheet | str") -> "Sheet":

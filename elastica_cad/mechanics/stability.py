@@ -17,7 +17,7 @@ from elastica_cad.mechanics.discrete_rod import (
     lowest_constrained,
     solve_bordered,
 )
-from elastica_cad.mechanics.loads import Supports, turning_nodes
+from elastica_cad.mechanics.loads import turning_nodes
 from elastica_cad.mechanics.rod import Rod, require_rod
 
 
@@ -67,6 +67,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     --------
     A straight, unloaded cantilever has no conjugate point.
 
+    >>> from elastica_cad.mechanics.loads import Supports
     >>> rod = DiscreteRod(np.ones(51), np.zeros(50), np.zeros(2), 1.0, Supports("free", "clamped"))
     >>> stability_determinant(rod).sign_changes.size
     0
@@ -145,7 +146,12 @@ def determinant_gradient(
     gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
     gradient[turning_nodes(rod.supports)] = 0.0
     if load_slope is not None:
-        gradient += np.einsum("kp,kp->k", load_slope, _per_load(per_force, rod.supports))
+        start_holds, end_holds = rod.supports.held[:2], rod.supports.held[3:5]
+        # a load changes the force in all following edges, or in all preceding edges if only the start holds the rod
+        per_load = np.concatenate([per_force[::-1].cumsum(axis=0)[::-1], np.zeros((1, 2))])
+        per_load -= per_load[0] * (start_holds & ~end_holds)
+        per_load[0, start_holds] = 0.0
+        gradient += np.einsum("kp,kp->k", load_slope, per_load)
     return np.asarray(gradient, dtype=float)
 
 
@@ -224,16 +230,6 @@ def _cofactors(Z: FloatArray) -> FloatArray:
     padded = np.tile(np.eye(3), (len(Z), 1, 1))
     padded[:, :m, :m] = Z
     return np.cross(padded[:, [1, 2, 0]], padded[:, [2, 0, 1]])[:, :m, :m]
-
-
-def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Convert derivatives by edge forces to derivatives (n+1, 2) by nodal loads."""
-    start_holds, end_holds = supports.held[:2], supports.held[3:5]
-    # a load changes the force in all following edges, or in all preceding edges if only the start holds the rod
-    per_load = np.concatenate([per_force[::-1].cumsum(axis=0)[::-1], np.zeros((1, 2))])
-    per_load -= per_load[0] * (start_holds & ~end_holds)
-    per_load[0, start_holds] = 0.0
-    return per_load
 
 
 # least margin of a rod that remains stable if it is cut and mounted inaccurately

@@ -108,7 +108,11 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     entries = _entries(path)
     names = {name for entry in entries for name in entry}
     if "load" in names:
-        _require_load(base)
+        system = system_of(base, base)
+        if not (system.load.any() or system.force.any() or system.moments.any()):
+            raise InputError(
+                "the rod has no load that the path could scale: add a weight, or a force or moment at an end"
+            )
     there: dict[str, Any] = {}
     parameters, margins, load = list[float](), list[float](), 1.0
     for k, entry in enumerate(entries):
@@ -200,11 +204,3 @@ def _load_factor(value: Any) -> float:
     if not (is_number(value) and value >= 0):
         raise InputError(f"a load factor is {value!r}: give a finite number, 0 or more")
     return float(value)
-
-
-def _require_load(rod: Rod) -> None:
-    system = system_of(rod, rod)
-    if not (system.load.any() or system.force.any() or system.moments.any()):
-        raise InputError(
-            "the rod has no load that the path could scale: add a weight, or a force or moment at an end"
-        )

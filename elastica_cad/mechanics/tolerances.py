@@ -407,7 +407,13 @@ def tolerance_study(
     groups = [(name, drawn, _corner_imperfections(varied, name)) for name, drawn in imperfections.items()]
     groups.append(("combined", combined, []))
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
-    outcomes = iter(_outcomes_of(rod, todo, max_width, executor))
+    # imperfections that have the same effect are computed once
+    effective = [_without_ineffective_changes(rod, v) for v in todo]
+    different = list(dict.fromkeys(effective))
+    bent = partial(_outcome, rod, max_width)
+    answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=16)
+    found = dict(zip(different, answers, strict=True))
+    outcomes = iter([found[v] for v in effective])
     effects = [
         _effect(name, list(islice(outcomes, len(inner))), list(islice(outcomes, len(outer))))
         for name, inner, outer in groups
@@ -460,18 +466,6 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
         for part, fields in zip(parts, _CAUSES.values(), strict=True)
         for field in fields
     })  # fmt: skip
-
-
-def _outcomes_of(
-    rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
-) -> list[_Outcome]:
-    """Return the outcome of each imperfection. Imperfections that have the same effect are computed once."""
-    effective = [_without_ineffective_changes(rod, v) for v in todo]
-    different = list(dict.fromkeys(effective))
-    bent = partial(_outcome, rod, max_width)
-    answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=16)
-    outcomes = dict(zip(different, answers, strict=True))
-    return [outcomes[v] for v in effective]
 
 
 def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:

@@ -247,7 +247,13 @@ class BattenSpec:
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
             raise self._place_out_of_reach(taper, chord, note(" (it needs {thin})", thin=Length(thin)))
-        return Batten(self, _with_straight_ends(_rod_between_hinges(self, taper, chord, 2401).curve))
+        # move the third control point from each end, so that both end curvatures are 0
+        curve = _rod_between_hinges(self, taper, chord, 2401).curve
+        points = np.array(curve.control_points)
+        for first, second, third in ((0, 1, 2), (-1, -2, -3)):
+            along = unit(points[second] - points[first])
+            points[third] = points[first] + ((points[third] - points[first]) @ along) * along
+        return Batten(self, PlaneCurve(curve.knots, points, curve.degree))
 
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
         # `side` has the sign of the required taper; `most` is the taper at the limit
@@ -417,13 +423,3 @@ def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int
 def _gravity_across(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
     """Return gravity perpendicular to the chord of a batten that bulges to the left (`side` 1) or right (-1)."""
     return Gravity(1.0, (0.0, -side if bulging == "up" else side))
-
-
-def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with its third control point from each end moved, so that both end curvatures are
-    0."""
-    points = np.array(curve.control_points)
-    for first, second, third in ((0, 1, 2), (-1, -2, -3)):
-        along = unit(points[second] - points[first])
-        points[third] = points[first] + ((points[third] - points[first]) @ along) * along
-    return PlaneCurve(curve.knots, points, curve.degree)

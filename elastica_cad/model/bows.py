@@ -176,7 +176,17 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     else:
         is_constant = section is None and width is not None and width == fields.get("min_width")
     if is_constant:
-        strip = _strip_of_constant_section(curve, sheet, **fields)
+        others = {name: fields[name] for name in fields.keys() - {"section", "max_width", "min_width"}}
+        refuse_unknown(others, {"ends", "label"}, "a bow of constant section")
+        start, end = curve.survey.position[[0, -1]]
+        across = (curve.survey.position - start) @ left_of(end - start)
+        # the relative error of the force in the cord is then 2e-7
+        flat = Rod.straight(
+            curve.length, samples=2401, start=start, angle=float(angle_of(end - start)),
+            supports=ENDS, section=section or PlainSection.as_plate(sheet, width),
+        )  # fmt: skip
+        rod = bend(flat, end=end, side=1 if across.mean() >= 0 else -1)
+        strip = Strip(rod, sheet, max_width=width, **others)
     else:
         level = {"frame": Frame(), "gravity": DOWN}  # the weight of a bow is neglected
         wide = room_for_hole(hole, sheet, **fields) if fields.get("limits") or fields.get("keep") else {}
@@ -211,25 +221,3 @@ def _least_beside(sheet: Sheet, shop: FabricationLimits | None) -> float:
 def rise_of(rod: Rod) -> float:
     """Return the largest distance, mm, of a rod from the line between its ends."""
     return camber_of(rod)[0] * float(norm(rod.chord))
-
-
-def _strip_of_constant_section(
-    curve: PlaneCurve,
-    sheet: Sheet,
-    *,
-    section: RoundLaw | ThicknessLaw | None = None,
-    max_width: float | None = None,
-    min_width: float | None = None,  # noqa: ARG001 - equal to max_width
-    **fields: Any,
-) -> Strip:
-    """Return a strip that a cord bends to the chord of the curve, to the side to which the curve bulges."""
-    refuse_unknown(fields, {"ends", "label"}, "a bow of constant section")
-    start, end = curve.survey.position[[0, -1]]
-    across = (curve.survey.position - start) @ left_of(end - start)
-    # the relative error of the force in the cord is then 2e-7
-    flat = Rod.straight(
-        curve.length, samples=2401, start=start, angle=float(angle_of(end - start)),
-        supports=ENDS, section=section or PlainSection.as_plate(sheet, max_width),
-    )  # fmt: skip
-    rod = bend(flat, end=end, side=1 if across.mean() >= 0 else -1)
-    return Strip(rod, sheet, max_width=max_width, **fields)

@@ -283,7 +283,15 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
         for body, width in zip(bodies, widths, strict=True)
     ]
     meeting = strips_may_meet(narrower, np.array([strip_thickness(member.strip) / 2 for member in placed]))
-    slotted = _clearances_of_slots(placed, joints)
+    # for each slotted pair of strips, the least distance, mm, from slots at which overlaps are reported
+    slotted: dict[tuple[int, int], float] = {}
+    for joint in joints:
+        slot_distance = 0.0
+        # these slots are too narrow, so overlaps within the width of an exact slot are ignored
+        if joint.fit == "paper":
+            thick = max(strip_thickness(placed[i].strip) for i in joint.members)
+            slot_distance = float(slot_width(np.array(joint.angle[0]), own=thick, other=thick, clearance=0.0))
+        slotted[joint.members] = max(slot_distance, slotted.get(joint.members, 0.0))
     meetings = []
     clear: set[tuple[float, ...]] = set()
     for i, j in combinations(range(len(placed)), 2):
@@ -307,21 +315,6 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
             if hit is not None and not _has_slot_at(strips, *np.array(hit.places)[:, None]):
                 meetings.append(_Overlap(pair, hit.places, is_flush=True))
     return meetings
-
-
-def _clearances_of_slots(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
-    """Return, for each slotted pair of strips, the least distance (mm) from slots at which overlaps are reported.
-
-    Slots with `fit="paper"` are too narrow, so overlaps within the width of an exact slot are ignored.
-    """
-    distances: dict[tuple[int, int], float] = {}
-    for joint in joints:
-        slot_distance = 0.0
-        if joint.fit == "paper":
-            thick = max(strip_thickness(placed[i].strip) for i in joint.members)
-            slot_distance = float(slot_width(np.array(joint.angle[0]), own=thick, other=thick, clearance=0.0))
-        distances[joint.members] = max(slot_distance, distances.get(joint.members, 0.0))
-    return distances
 
 
 def _crossing_without_slot(

@@ -12,7 +12,7 @@ gamma_a + v z_a = gamma_b + u z_b give v and u.
 If the rulings are parallel, n is zero. A common ruling then passes through each crossing of the plane curves.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -330,7 +330,11 @@ def _level_set(heights: _Heights) -> list[_Course]:
         for m, (s_b, c_b) in enumerate(second):
             low, high = max(c_a.min(), c_b.min()), min(c_a.max(), c_b.max())
             if not low < high:
-                level.extend(_branches_of_constant_height(s_a, c_a, s_b, c_b))
+                # the height is constant on one of the two stretches: the arc length on the other one is constant
+                if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
+                    level.append((_arc_lengths_at(s_a, c_a, c_b[:1]).repeat(s_b.size), s_b))
+                if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
+                    level.append((s_a, _arc_lengths_at(s_b, c_b, c_a[:1]).repeat(s_a.size)))
                 continue
             inside = np.concatenate([c_a, c_b])
             # nodes closer together in height are merged
@@ -340,19 +344,6 @@ def _level_set(heights: _Heights) -> list[_Course]:
             pieces.append((_arc_lengths_at(s_a, c_a, c), _arc_lengths_at(s_b, c_b, c)))
             ends.append([_extreme_at_end(k, c_a, m, c_b, bound) for bound in (low, high)])
     return [*level, *_joined(pieces, ends, len(first), len(second))]
-
-
-def _branches_of_constant_height(
-    s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
-) -> Iterator[_Course]:
-    """Yield arc lengths on both strips at equal heights, if the height is constant on one of two stretches.
-
-    The arc length on the other stretch is then constant.
-    """
-    if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
-        yield _arc_lengths_at(s_a, c_a, c_b[:1]).repeat(s_b.size), s_b
-    if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
-        yield s_a, _arc_lengths_at(s_b, c_b, c_a[:1]).repeat(s_a.size)
 
 
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:

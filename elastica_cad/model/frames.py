@@ -189,7 +189,14 @@ def slotted_frame(
     options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
     outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]
-    across = _normal_of_ribs(rails)
+    # the ribs are at right angles to both rails, along the first rail
+    a, b = rails
+    normal = np.cross(a.frame.z_axis, b.frame.z_axis)
+    # the rails are almost parallel
+    if np.linalg.norm(normal) < 0.1:
+        normal = a.frame.x_axis - (a.frame.x_axis @ b.frame.z_axis) * b.frame.z_axis
+    normal = normal / np.linalg.norm(normal)
+    across = normal if normal @ a.frame.x_axis >= 0 else -normal
     # slots of ribs and tabs are at least 3 mm apart, and farther in some sheets
     space = max(3.0, limits_or_default(shop).bridge_for(sheet))
     stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (space + clearance))
@@ -305,17 +312,6 @@ def _rib(
         f"{name}: the rails face each other, so no rib can join them from behind. Hold the ends by "
         "fixtures instead"
     )
-
-
-def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
-    """Return the unit normal of ribs, at right angles to the normals of both rails, along the first rail."""
-    a, b = rails
-    normal = np.cross(a.frame.z_axis, b.frame.z_axis)
-    # the rails are almost parallel
-    if np.linalg.norm(normal) < 0.1:
-        normal = a.frame.x_axis - (a.frame.x_axis @ b.frame.z_axis) * b.frame.z_axis
-    normal = normal / np.linalg.norm(normal)
-    return normal if normal @ a.frame.x_axis >= 0 else -normal
 
 
 def _stations_of_ribs(

@@ -240,7 +240,13 @@ def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
         first = drawn.setdefault(cut_key(strip), strip)
-        _refuse_meeting_slots(first, name)
+        try:
+            if not first.outline.closed:
+                raise InputError(
+                    "the slots cut the strip in two. Move the slots apart, or make the strip wider"
+                )
+        except InputError as error:
+            raise error.at(strip=name) from None
         slotted = placed.with_strip(strip.cut_as(first)) if slots else placed
         _slotted[placed] = slots, slotted
     return slotted
@@ -452,12 +458,3 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
             "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)
         ))  # fmt: skip
     return (*messages, sentences(order))
-
-
-def _refuse_meeting_slots(strip: Strip, name: str) -> None:
-    """Refuse slots that meet each other, or that cut the strip in two."""
-    try:
-        if not strip.outline.closed:
-            raise InputError("the slots cut the strip in two. Move the slots apart, or make the strip wider")
-    except InputError as error:
-        raise error.at(strip=name) from None

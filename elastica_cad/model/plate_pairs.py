@@ -40,7 +40,7 @@ from elastica_cad.model.plates import (
     with_shoulders,
 )
 from elastica_cad.strip.makeable_strip import refuse_broken
-from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.tab_seats import Lean, lean_against
@@ -511,7 +511,12 @@ def end_plates(
     [('ring-bottom', True), ('ring-top', True)]
     """
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
-    ends, tabs_at = ring_options.ends, _tabs_at_ends(placed)
+    # strips drawn in the opposite direction are reversed, so that each end has neighbouring tabs
+    tabs = tabs_to_hold(placed)
+    pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
+    opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
+    ordered = [pair[::-1] if turned else pair for pair, turned in zip(pairs, opposite, strict=True)]
+    ends, tabs_at = ring_options.ends, {end: [pair[k] for pair in ordered] for k, end in enumerate(ENDS)}
     outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
     # the plates are named by the heights of vertical tabs; the height 0 for other tabs gives the names of ends
     upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
@@ -532,15 +537,6 @@ def end_plates(
 
 UPRIGHT_COSINE = 0.9
 """Plates are named bottom and top if the angle between mean tab and vertical has at least this cosine."""
-
-
-def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
-    # strips drawn in the opposite direction are reversed, so that each end has neighbouring tabs
-    tabs = tabs_to_hold(placed)
-    pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
-    opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
-    ordered = [pair[::-1] if turned else pair for pair, turned in zip(pairs, opposite, strict=True)]
-    return {end: [pair[k] for pair in ordered] for k, end in enumerate(ENDS)}
 
 
 def _opposite(ends: FloatArray) -> BoolArray:

@@ -47,7 +47,13 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         rocking = [place for place in held if place[2].rocks]
         if rocking:
             strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
-            toward, away = _tipping_angles(strip, end, seat)
+            here, other = (
+                PlacedTab.of(strip.strip, k, strip.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
+            )
+            right, left = np.abs(seat.turning)
+            # if the tab turns to the left of the curve, the strip tips to its right, in the direction z
+            lies_right = (other.origin - here.origin) @ here.z_axis > 0
+            toward, away = (left, right) if lies_right else (right, left)
             messages.append(note(
                 "{strip}{more}: in the {holder}, the tab at the {end} of the strip can tip by {toward:.0f} "
                 "towards the other end and by {away:.0f} in the opposite direction. The tab "
@@ -57,17 +63,6 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
                 cure=_suggestions(strip, end, placed, holders, two_plates),
             ))  # fmt: skip
     return tuple(messages)
-
-
-def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """Return the angles, rad, by which a strip can tip at one end, towards and away from its other end."""
-    here, other = (
-        PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
-    )
-    right, left = np.abs(seat.turning)
-    # if the tab turns to the left of the curve, the strip tips to its right, in the direction z
-    lies_right = (other.origin - here.origin) @ here.z_axis > 0
-    return (left, right) if lies_right else (right, left)
 
 
 def _deviation_sentence(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:

@@ -186,7 +186,12 @@ def _places(
             thinned = _thinned(places, margin, apart)
             most = max(most, len(thinned))
             if len(thinned) >= count:
-                chosen = _far_apart(places, thinned, count)
+                # each spacer is as far as possible from the spacers before it; the first is farthest from all
+                distances = np.linalg.norm(places[thinned, None, :2] - places[thinned, :2], axis=-1)
+                ranks = [int(distances.sum(axis=1).argmax())]
+                while len(ranks) < count:
+                    ranks.append(int(distances[:, ranks].min(axis=1).argmax()))
+                chosen = [thinned[k] for k in ranks]
                 # places to which the spacers may still be moved
                 free = places[margin >= margin[chosen].min() / 2]
                 moved, spread = _spread(free, places[chosen], apart, width, plates)
@@ -394,18 +399,6 @@ def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> list[int]:
         kept.append(int(rest[0]))
         rest = rest[norm((places[rest] - places[rest[0]])[:, :2]) >= apart]
     return kept
-
-
-def _far_apart(places: FloatArray, thinned: list[int], count: int) -> list[int]:
-    """Return `count` of the `thinned` indices, each as far as possible from the indices before it.
-
-    The first place has the largest sum of distances from the others.
-    """
-    apart = np.linalg.norm(places[thinned, None, :2] - places[thinned, :2], axis=-1)
-    chosen = [int(apart.sum(axis=1).argmax())]
-    while len(chosen) < count:
-        chosen.append(int(apart[:, chosen].min(axis=1).argmax()))
-    return [thinned[k] for k in chosen]
 
 
 def _spread(

@@ -102,7 +102,23 @@ def examine_pair(
     The ratio is the largest stiffness divided by the least. The parameters are those of `PairedPanels.family`. The
     panels and the parameters are None if no strip is possible, or if every stiffness is possible.
     """
-    second = _of_equal_length(first, second)
+    for curve in (first, second):
+        require_bendable(curve)
+        if curve.is_closed:
+            raise InputError(
+                "A strip with two states needs two ends, but a closed curve has no ends. Open the curve."
+            )
+    # `matched_pair` reduces larger differences
+    if abs(second.length / first.length - 1) > 1e-4:
+        raise InputError(
+            "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the "
+            'same length in both. Set {field} to "ends".',
+            first=Length(first.length),
+            second=Length(second.length),
+            field=FieldName("match"),
+            changes=[Change("match", "ends")],
+        )
+    second = scaled_to_length(second, first.length)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
     (chord, turn), (other, other_turn) = map(_clamps_of, (first, second))
     fits = norm(chord - other) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -130,7 +146,17 @@ def examine_pair(
         return _refused(check, *same, *_unmet_messages(unmet)), None, None
     paired = PairedPanels.of(check, difference)
     if paired.family.freedom == 0:
-        return _refused(replace(check, unmet=paired.beyond), _too_many_message(check, paired)), None, None
+        too_many = note(
+            "Both curves have the same curvature at too many places: {places}. For two equal or mirrored "
+            "curves, usually at most two such places are possible. Change one curve so that the curvatures "
+            "differ at {beyond}."
+            if paired.rank < NUMBERS - 1
+            else "Both curves have the same curvature at too many places: {places}. Usually at most four such "
+            "places are possible. Change one curve so that the curvatures differ at {beyond}.",
+            places=lengths(z.s for z in check.zeros),
+            beyond=Length(paired.beyond[0].s),
+        )
+        return _refused(replace(check, unmet=paired.beyond), too_many), None, None
     answer = paired.least_ratio()
     if answer is None:
         against = find_violations(paired.family)
@@ -144,27 +170,6 @@ def examine_pair(
         )
         return _refused(replace(check, against=tuple(against.tolist())), reason), None, None
     return check, paired, answer
-
-
-def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
-    """Return the second curve, scaled to the length of the first. A difference above 1e-4 is refused."""
-    for curve in (first, second):
-        require_bendable(curve)
-        if curve.is_closed:
-            raise InputError(
-                "A strip with two states needs two ends, but a closed curve has no ends. Open the curve."
-            )
-    # `matched_pair` reduces larger differences
-    if abs(second.length / first.length - 1) > 1e-4:
-        raise InputError(
-            "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the "
-            'same length in both. Set {field} to "ends".',
-            first=Length(first.length),
-            second=Length(second.length),
-            field=FieldName("match"),
-            changes=[Change("match", "ends")],
-        )
-    return scaled_to_length(second, first.length)
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
@@ -267,19 +272,6 @@ def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
         at = [z.s for z in unmet if z.order == order]
         if at:
             yield note(words, places=lengths(at))
-
-
-def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
-    return note(
-        "Both curves have the same curvature at too many places: {places}. For two equal or mirrored "
-        "curves, usually at most two such places are possible. Change one curve so that the curvatures "
-        "differ at {beyond}."
-        if paired.rank < NUMBERS - 1
-        else "Both curves have the same curvature at too many places: {places}. Usually at most four such "
-        "places are possible. Change one curve so that the curvatures differ at {beyond}.",
-        places=lengths(z.s for z in check.zeros),
-        beyond=Length(paired.beyond[0].s),
-    )
 
 
 @dataclass(frozen=True, eq=False)

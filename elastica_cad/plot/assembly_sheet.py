@@ -165,7 +165,55 @@ def _pages(
     """
     pairs = tuple(pairs_of_plates(_plates(holders)))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
-    tables = [*_tables(model, holders, pairs, steps, cut_list), Table("", (), [(hint,) for hint in hints])]
+    first_steps = [*_flat_gluing(model), *_plate_sentences(holders, pairs)]
+    rows, plates = [*_step_rows(steps, len(first_steps) + 1)], [*_plate_rows(holders)]
+
+    def numbered(texts: Iterable[str], first: int) -> list[tuple[str]]:
+        return [(note("{number}   {text}", number=k, text=text),) for k, text in enumerate(texts, first)]
+
+    tables = [
+        Table("Order of assembly", (), numbered(first_steps, 1)),
+        Table(
+            "" if first_steps else "Order of assembly",
+            ("step", "strip", "cut as", "start (1)", "end (2)", "locks into"),
+            rows,
+        ),
+        Table("", (), numbered(_element_steps(model), len(first_steps) + len(rows) + 1)),
+        Table("", (), [(text,) for text in _sentences_below_steps(model, holders)]),
+        Table(
+            "Positions in the blocks (mm)",
+            ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance"),
+            [*_block_rows(model, holders)],
+        ),
+        Table(
+            "Positions of the plates (mm)",
+            ("plate", "middle at (x, y, z)", "from the middle above"),
+            plates if len(plates) > 1 else [],
+        ),
+        Table(
+            "Force and moment at the ends",
+            (
+                "strip",
+                "force at start (1)",
+                "moment at start (1)",
+                "force at end (2)",
+                "moment at end (2)",
+            ),
+            [*_load_rows(model)],
+        ),
+        Table(
+            "Rails, pins, ties and loads (the place of a rail is where its bar touches the strip; other places are "
+            "on the centre line of the strip)",
+            ("strip", "element", "place (x, y, z), mm", "angle", "force on the strip, N", "length, mm"),
+            [*_element_rows(model)],
+        ),
+        Table(
+            "Parts",
+            ("part", "count", "sheet", "size, mm", "file"),
+            [] if cut_list is None else [*_part_rows(cut_list)],
+        ),
+        Table("", (), [(hint,) for hint in hints]),
+    ]
     tables = [_translated(table, words) for table in tables if table.rows]
     # choose the orientation with the larger picture, with the text below the picture if there is space
     layouts = []
@@ -207,57 +255,6 @@ def _print(figure: Any, place: tuple[float, float], text: str, **style: Any) -> 
     """Print text at a place, points from the lower left corner of the page."""
     x, y = place / (72.0 * figure.get_size_inches())
     figure.text(x, y, text, fontsize=TEXT_POINTS, color=INK, **style)
-
-
-def _tables(
-    model: Model,
-    holders: Sequence[Holder],
-    pairs: Sequence[tuple[BasePlate, BasePlate, float]],
-    steps: Sequence[AssemblyStep],
-    cut_list: CutList | None,
-) -> list[Table]:
-    first_steps = [*_flat_gluing(model), *_plate_sentences(holders, pairs)]
-    rows, plates = [*_step_rows(steps, len(first_steps) + 1)], [*_plate_rows(holders)]
-
-    def numbered(texts: Iterable[str], first: int) -> list[tuple[str]]:
-        return [(note("{number}   {text}", number=k, text=text),) for k, text in enumerate(texts, first)]
-
-    return [
-        Table("Order of assembly", (), numbered(first_steps, 1)),
-        Table(
-            "" if first_steps else "Order of assembly",
-            ("step", "strip", "cut as", "start (1)", "end (2)", "locks into"),
-            rows,
-        ),
-        Table("", (), numbered(_element_steps(model), len(first_steps) + len(rows) + 1)),
-        Table("", (), [(text,) for text in _sentences_below_steps(model, holders)]),
-        Table(
-            "Positions in the blocks (mm)",
-            ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance"),
-            [*_block_rows(model, holders)],
-        ),
-        Table(
-            "Positions of the plates (mm)",
-            ("plate", "middle at (x, y, z)", "from the middle above"),
-            plates if len(plates) > 1 else [],
-        ),
-        Table(
-            "Force and moment at the ends",
-            ("strip", "force at start (1)", "moment at start (1)", "force at end (2)", "moment at end (2)"),
-            [*_load_rows(model)],
-        ),
-        Table(
-            "Rails, pins, ties and loads (the place of a rail is where its bar touches the strip; other places are "
-            "on the centre line of the strip)",
-            ("strip", "element", "place (x, y, z), mm", "angle", "force on the strip, N", "length, mm"),
-            [*_element_rows(model)],
-        ),
-        Table(
-            "Parts",
-            ("part", "count", "sheet", "size, mm", "file"),
-            [] if cut_list is None else [*_part_rows(cut_list)],
-        ),
-    ]
 
 
 def _plate_sentences(
@@ -633,7 +630,12 @@ class View:
                 continue
             loops = [*_loops(holder, shift)]
             outlines += loops
-            names.setdefault(holder.name, _plate_label(holder.name, loops[0][0]))
+            # beside the rightmost, leftmost, highest or lowest point of the outline in the picture
+            first_loop = loops[0][0]
+            across, up = (first_loop @ SCREEN).T
+            sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+            places = first_loop[[across.argmax(), across.argmin(), up.argmax(), up.argmin()]]
+            names.setdefault(holder.name, Label(holder.name, places, sides))
             for slot in () if isinstance(holder, Rib) else holder.slots:
                 if slot.tab is not None:
                     targets[slot.tab.key] = holder.frame.point(slot.corners.mean(axis=0)) + shift
@@ -758,13 +760,6 @@ def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
 def _half_size(text: str) -> FloatArray:
     # half the width and half the height (2,) of a label, points
     return np.array([len(text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
-
-
-def _plate_label(name: str, loop: FloatArray) -> Label:
-    # beside the rightmost, leftmost, highest or lowest point of the outline in the picture
-    across, up = (loop @ SCREEN).T
-    sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
-    return Label(name, loop[[across.argmax(), across.argmin(), up.argmax(), up.argmin()]], sides)
 
 
 def _loops(plate: BasePlate | Rib, shift: FloatArray) -> Iterator[tuple[FloatArray, FloatArray, str]]:

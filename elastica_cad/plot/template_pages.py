@@ -163,39 +163,33 @@ def save_templates(
 
 
 def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
+    from matplotlib.patches import Rectangle
+
     for name, low in zip(tiling.names, tiling.origins, strict=True):
         page = empty_figure(tuple(np.array(tiling.page) / MM_PER_INCH))
         tile = f"   page {name}" if len(tiling.names) > 1 else ""
-        _draw_page(page, drawing, tiling, low, f"{drawing.name}{tile}   print at 100 %")
+        high = low + tiling.size
+        axes = page.add_axes((0, 0, 1, 1))
+        axes.set_axis_off()
+        show_box(axes, low - MARGIN_MM, low - MARGIN_MM + tiling.page)
+        window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
+        for item in drawing.strokes:
+            points = item.path.closed_points(CHORD_MM)
+            if not boxes_meet(box_about(points), np.array([low, high])):
+                continue  # skip lines on other pages, which would take as long to draw
+            style = {"color": LAYER_COLORS[item.layer], "linewidth": 0.6, "solid_capstyle": "butt"}
+            (line,) = axes.plot(*points.T, **style)
+            line.set_clip_path(window)
+        # crosses for joining the pages
+        for x in (low[0] + OVERLAP_MM / 2, high[0] - OVERLAP_MM / 2):
+            for y in (low[1] + OVERLAP_MM / 2, high[1] - OVERLAP_MM / 2):
+                axes.plot([x - CROSS_MM, x + CROSS_MM], [y, y], color=INK, linewidth=0.4)
+                axes.plot([x, x], [y - CROSS_MM, y + CROSS_MM], color=INK, linewidth=0.4)
+        height = 3.0 * 72 / MM_PER_INCH
+        title = f"{drawing.name}{tile}   print at 100 %"
+        axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
+        x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
+        ticks = y + np.array([-1.5, 1.5, 0, 0, 1.5, -1.5])
+        axes.plot([x, x, x, high[0], high[0], high[0]], ticks, color=INK, linewidth=0.8)
+        axes.text(x + RULER_MM / 2, y + 0.8, "100 mm", fontsize=0.8 * height, color=INK, ha="center")
         yield page
-
-
-def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, title: str) -> None:
-    """Draw the part of the drawing on one page, with crosses for joining the pages and a ruler of 100 mm.
-
-    `low` (2,) is the lower left corner of the page's part of the drawing, mm.
-    """
-    high = low + tiling.size
-    axes = figure.add_axes((0, 0, 1, 1))
-    axes.set_axis_off()
-    show_box(axes, low - MARGIN_MM, low - MARGIN_MM + tiling.page)
-    from matplotlib.patches import Rectangle
-
-    window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
-    for item in drawing.strokes:
-        points = item.path.closed_points(CHORD_MM)
-        if not boxes_meet(box_about(points), np.array([low, high])):
-            continue  # skip lines on other pages, which would take as long to draw
-        style = {"color": LAYER_COLORS[item.layer], "linewidth": 0.6, "solid_capstyle": "butt"}
-        (line,) = axes.plot(*points.T, **style)
-        line.set_clip_path(window)
-    for x in (low[0] + OVERLAP_MM / 2, high[0] - OVERLAP_MM / 2):
-        for y in (low[1] + OVERLAP_MM / 2, high[1] - OVERLAP_MM / 2):
-            axes.plot([x - CROSS_MM, x + CROSS_MM], [y, y], color=INK, linewidth=0.4)
-            axes.plot([x, x], [y - CROSS_MM, y + CROSS_MM], color=INK, linewidth=0.4)
-    height = 3.0 * 72 / MM_PER_INCH
-    axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
-    x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
-    ticks = y + np.array([-1.5, 1.5, 0, 0, 1.5, -1.5])
-    axes.plot([x, x, x, high[0], high[0], high[0]], ticks, color=INK, linewidth=0.8)
-    axes.text(x + RULER_MM / 2, y + 0.8, "100 mm", fontsize=0.8 * height, color=INK, ha="center")

@@ -86,7 +86,14 @@ def rod_as_built(
     relative_stiffness = rod.profile(s)
     # designed stiffness divided by that of the cut strip, at each station
     softer = layout.bending_stiffness * relative_stiffness / section.bending_stiffness(parameter)
-    EI = layout.bending_stiffness * _node_stiffness(rod, relative_stiffness) / _cell_means(softer, n)
+    # near a step of the stiffness, use the inverse of the mean compliance around the node
+    K = rod.stiffness.copy()
+    half = rod.length / (rod.s.size - 1) / 2
+    if rod.profile.steps:
+        jumps = np.array([start for start, _ in rod.profile.steps])
+        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
+        K[near] = 1 / _cell_means(1 / relative_stiffness, rod.s.size)[near]
+    EI = layout.bending_stiffness * K / _cell_means(softer, n)
     if added_lengths:
         EI = EI * _cut_factors(added_lengths, rod)
     # a rod has K >= 1, and its point forces are divided by E I for K = 1
@@ -105,20 +112,6 @@ def rod_as_built(
     if rod.weight is None:
         return built
     return replace(built, weight=weight.scaled(beta=least / layout.bending_stiffness))
-
-
-def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
-    """Return K at the nodes.
-
-    Near a step of the stiffness, it is the inverse of the mean compliance around the node.
-    """
-    K = rod.stiffness.copy()
-    half = rod.length / (rod.s.size - 1) / 2
-    if rod.profile.steps:
-        jumps = np.array([start for start, _ in rod.profile.steps])
-        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
-        K[near] = 1 / _cell_means(1 / stiffness, rod.s.size)[near]
-    return K
 
 
 def _cell_stations(rod: Rod) -> FloatArray:
@@ -314,13 +307,6 @@ def _lengths_added_by_slots(
         yield at, corner * depth**2 / wide + float(widths.mean()) * (wide - remaining) / remaining
 
 
-def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    # return the positions, mm, of the first two slots that are closer together than they are deep, or ()
-    points = (slot.center_line(width)[0] for slot in slots)
-    lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
-    return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
-
-
 def idle_length(width: float, narrow: float, thickness: float) -> float:
     """Return the added length, mm, of a step from `width` to `narrow` mm, divided by `crack_energy`.
 
@@ -437,6 +423,8 @@ class StripAsMade:
         factors = stiffness_factors(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
             factors["plates"] = plates.stiffening(design.s, layout, whole())
+        points = (slot.center_line(layout.width)[0] for slot in slots)
+        lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
         return cls(
             design,
             layout,
@@ -448,7 +436,8 @@ class StripAsMade:
             if ends[1].length and closes(rod)
             else None,
             _curl(design, layout),
-            _crowded_slots(slots, layout.width),
+            # the first two slots that are closer together than they are deep
+            next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ()),
         )
 
     @cached_property

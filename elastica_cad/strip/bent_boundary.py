@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, Length, NotConvergedError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Arc, Line, Segment, Spline
@@ -301,18 +301,14 @@ class BentMap:
             t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
         # kernels fail to fillet edges of one or two spans
         if t.size < 2:
-            t, continuity = _in_thirds(np.array([first, *t, last]), continuity, degree)
+            edges = np.array([first, *t, last])
+            # divide each span in three
+            thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
+            smoothness = np.full(thirds.shape, degree - 1)
+            smoothness[1:, 0] = continuity
+            t, continuity = thirds.ravel()[1:], smoothness.ravel()[1:]
         inner = t.repeat(np.minimum(degree - continuity, degree))
         return np.pad([first, *inner, last], degree, mode="edge"), degree
-
-
-def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
-    # return the inner knots, and their continuity, after each span between `edges` is divided in three.
-    # `continuity` is that of the inner `edges`
-    thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
-    smoothness = np.full(thirds.shape, degree - 1)
-    smoothness[1:, 0] = continuity
-    return thirds.ravel()[1:], smoothness.ravel()[1:]
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:

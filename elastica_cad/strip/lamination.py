@@ -96,7 +96,13 @@ class Laminated:
         section = LaminatedSection(sheet, self.backing)
         least = max(self.least_backing, min_width or 0.0)
         scale = self._scale(rod, section, base, least, max_width)
-        backing = Backing(self.backing, _backing_width(rod, section, base, scale))
+
+        def width(s: FloatArray) -> FloatArray:
+            return section.on(base(s)).parameter(scale * rod.profile(s))
+
+        breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
+        # the backing is clipped to the width of the base; the kinks due to clipping are negligible
+        backing = Backing(self.backing, Profile.fit(width, rod.length, breaks=breaks, tolerance=1e-5))
         warnings: tuple[str, ...] = ()
         if rod.gravity is not None and rod.weight is None:
             warnings = (
@@ -206,12 +212,3 @@ def _infeasible(
         soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
         stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),
     )  # fmt: skip
-
-
-def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
-    def width(s: FloatArray) -> FloatArray:
-        return section.on(base(s)).parameter(scale * rod.profile(s))
-
-    breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # the backing is clipped to the width of the base; the kinks due to clipping are negligible
-    return Profile.fit(width, rod.length, breaks=breaks, tolerance=1e-5)

@@ -208,34 +208,24 @@ def draw_layers(
                 _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
             )
             if i == 0:
-                marks += _guides_outside_slots(layout.guides, layer)
+                # a slot is an open line, which is closed beyond the edge
+                open_cuts = [rim.line for rim in layer.slots]
+                loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
+                marks += tuple(part for guide in layout.guides for part in trim_off(guide, loops))
                 pairs = [*zip(slots, layer.slots, strict=True)]
                 texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)
         else:
-            marks, texts = _marks_on_leaf(engraved or name, layer, layers)
+            # lines at the ends of the plies above, and the name with the range along the stack
+            (left, low), (right, high) = layer.outline.bounds.tolist()
+            above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
+            places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
+            marks = tuple(Path.polyline([(x, low), (x, high)]) for x in places)
+            words = f"{layer.called(engraved or name)}: {left:.0f} - {right:.0f}"
+            center = ((left + right) / 2, (low + high) / 2)
+            texts = (fit_label(words, center, angle=0.0, room=right - left, across=high - low),)
         paths = cut_paths(layer.outline, layer.holes, marks)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
-
-
-def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
-    # a slot is an open line, which is closed beyond the edge
-    open_cuts = [rim.line for rim in layer.slots]
-    loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
-    return tuple(part for guide in guides for part in trim_off(guide, loops))
-
-
-def _marks_on_leaf(
-    name: str, layer: Layer, layers: Sequence[Layer]
-) -> tuple[tuple[Path, ...], tuple[Text, ...]]:
-    """Return lines at the ends of the plies above a ply, and its name with its range along the stack."""
-    (left, low), (right, high) = layer.outline.bounds.tolist()
-    above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
-    places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
-    marks = tuple(Path.polyline([(x, low), (x, high)]) for x in places)
-    words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
-    center = ((left + right) / 2, (low + high) / 2)
-    return marks, (fit_label(words, center, angle=0.0, room=right - left, across=high - low),)
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:

@@ -425,7 +425,17 @@ class Perforated:
                 "too much for an exact stiffness: use fewer holes along the strip, each at least {long} long",
                 angle=Angle(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             )  # fmt: skip
-        missing = self._excess(pattern) / pattern.material(pattern.joints)
+        # the rounding of a corner with half angle a and radius r begins where the hole is 2 r (sec a - tan a) wide;
+        # half diamonds have half the angle of full diamonds, so their rounding begins farther from the joint
+        slope = pattern.slopes(pattern.joints)
+        others, halves = (
+            2 * self.corner_radius * (np.hypot(1.0, tan) - tan)
+            for tan in (slope, np.tan(np.arctan(slope) / 2))
+        )
+        at_gaps = np.arange(slope.size) % 2 == 1
+        # largest extra width, mm, that rounded tips leave near each joint
+        excess = np.maximum(self.columns * others, np.where(at_gaps, 2 * halves, 0.0))
+        missing = excess / pattern.material(pattern.joints)
         i = missing.argmax()
         if missing[i] > TIP_FRACTION:
             yield note(
@@ -435,21 +445,6 @@ class Perforated:
                 least=Mm(rounded_down(self.corner_radius * TIP_FRACTION / missing[i], 2)),
                 allowed=100 * TIP_FRACTION,
             )  # fmt: skip
-
-    def _excess(self, pattern: DiamondPattern) -> FloatArray:
-        """Return the largest extra width (n,), mm, that rounded tips leave near each joint of the pattern.
-
-        The rounding of a corner with half angle a and radius r begins where the hole is 2 r (sec a - tan a)
-        wide. Half diamonds have half the angle of full diamonds, so their rounding begins farther from the
-        joint.
-        """
-        slope = pattern.slopes(pattern.joints)
-        others, halves = (
-            2 * self.corner_radius * (np.hypot(1.0, tan) - tan)
-            for tan in (slope, np.tan(np.arctan(slope) / 2))
-        )
-        at_gaps = np.arange(slope.size) % 2 == 1
-        return np.maximum(self.columns * others, np.where(at_gaps, 2 * halves, 0.0))
 
 
 class _Fit:

@@ -140,26 +140,6 @@ def _direction(direction: object) -> tuple[float, ...]:
     return tuple(map(float, row))
 
 
-def _check_seam(seam_position: float, curve: PlaneCurve) -> None:
-    if seam_position > curve.length:
-        raise InputError(
-            "{field} is {seam:g}, which is not on the curve: set a place from 0 to {length:.4g}, or leave "
-            "out {field}",
-            field=FieldName("seam_position"),
-            seam=seam_position,
-            length=Length(curve.length),
-            where={"field": "seam_position"},
-        )
-    if not curve.is_closed:
-        raise InputError(
-            "the curve is open and has no joint, but {field} puts a joint {seam:g} from its start: leave "
-            "out {field}, or close the curve",
-            field=FieldName("seam_position"),
-            seam=Length(seam_position),
-            where={"field": "seam_position"},
-        )
-
-
 def _check_section(
     section: Section,
     sheet: Sheet,
@@ -612,7 +592,23 @@ class StripSpec(EqualByValue):
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         if self.seam_position is not None:
-            _check_seam(self.seam_position, self.curve)
+            if self.seam_position > self.curve.length:
+                raise InputError(
+                    "{field} is {seam:g}, which is not on the curve: set a place from 0 to {length:.4g}, or leave "
+                    "out {field}",
+                    field=FieldName("seam_position"),
+                    seam=self.seam_position,
+                    length=Length(self.curve.length),
+                    where={"field": "seam_position"},
+                )
+            if not self.curve.is_closed:
+                raise InputError(
+                    "the curve is open and has no joint, but {field} puts a joint {seam:g} from its start: leave "
+                    "out {field}, or close the curve",
+                    field=FieldName("seam_position"),
+                    seam=Length(self.seam_position),
+                    where={"field": "seam_position"},
+                )
         vars(self).update(
             sheet=sheet,
             label=require_name(self.label, "the label"),

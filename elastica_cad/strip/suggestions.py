@@ -277,20 +277,13 @@ def suggest(
                     break
     except (KeyboardInterrupt, MemoryError) as error:
         interrupt = error
-    yield from _in_order(found)
-    if interrupt is not None:
-        raise interrupt
-
-
-def _in_order(found: Sequence[Suggestion]) -> list[Suggestion]:
-    """Return suggestions in the order of `suggest`. They are given in the order of their fields."""
 
     def deviation(suggestion: Suggestion) -> float:
         return suggestion.deviation if suggestion.change.field in CURVE_FIELDS else 0.0
 
     last = {id(suggestion): suggestion.is_last_resort for suggestion in found}
     least = min((deviation(item) for item in found if deviation(item) and not last[id(item)]), default=np.inf)
-    return sorted(
+    yield from sorted(
         found,
         key=lambda item: (
             last[id(item)],
@@ -299,6 +292,8 @@ def _in_order(found: Sequence[Suggestion]) -> list[Suggestion]:
             not last[id(item)] and deviation(item) >= 10 * least,
         ),
     )
+    if interrupt is not None:
+        raise interrupt
 
 
 def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:

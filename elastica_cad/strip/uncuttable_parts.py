@@ -363,23 +363,19 @@ class Fault:
         return note("{fault}. {cure}", fault=self.what, cure=self.cure).at(strip=self.part)
 
 
-def _faults_message(faults: Iterable[Fault]) -> str:
-    # faults of a part with the same suggestion share a sentence
-    by_cure: dict[tuple[str, str], list[str]] = {}
-    for fault in faults:
-        by_cure.setdefault((fault.part, fault.cure), []).append(fault.what)
-    merged = (Fault(part, sentences(whats), cure) for (part, cure), whats in by_cure.items())
-    return sentences(map(str, merged), ". ", ".")
-
-
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
     """Return the faults of a part as warnings. Without `ignore_limits`, raise FaultError for them."""
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         places = [fault.at for fault in faults if fault.at is not None]
+        # faults of a part with the same suggestion share a sentence
+        by_cure: dict[tuple[str, str], list[str]] = {}
+        for item in faults:
+            by_cure.setdefault((item.part, item.cure), []).append(item.what)
+        merged = (Fault(part, sentences(whats), cure) for (part, cure), whats in by_cure.items())
         raise FaultError(
             "{faults} To make the parts anyway, set {field}.",
-            faults=_faults_message(faults),
+            faults=sentences(map(str, merged), ". ", "."),
             field=FieldName("ignore_limits"),
             where={"at": places[0]} if places else {},
             changes=[*changes],

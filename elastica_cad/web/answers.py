@@ -43,7 +43,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, cut_sheets
 from elastica_cad.mechanics.stability import SAFE_MARGIN
-from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.model.assembly import single_holders
@@ -263,7 +262,23 @@ def _check_record(spec: StripSpec, scaled: Record) -> Record:
     record: Record = {"path": path, "kept": scaled}
     with suppress(InputError):
         check = spec.rod_spec.check
-        record |= {"theorem": _theorem(check), "text": str(check)}
+
+        def places(s: Sequence[float]) -> list[Any]:
+            return _rounded(check.curve.at(s).position, 3) if len(s) else []
+
+        line = check.line
+        record |= {
+            "theorem": {
+                "inflections": places(check.inflections),
+                "at": _rounded(check.inflections, 2),
+                "line": None if line is None else [line.point, line.direction],
+                "off": [] if check.realizable else places([s for s, _ in check.off_line]),
+                "crossings": places(
+                    (*check.crossings, *check.touches, *check.curvature_touches, *check.jumps)
+                ),
+            },
+            "text": str(check),
+        }
     return record
 
 
@@ -275,7 +290,13 @@ def _strip_record(
     While a point is dragged (`live`), slow rows are left out.
     """
     record = _check_record(spec, scaled)
-    record |= {"elements": _elements(spec, strip), "thrust": _thrust_line(strip.rod)}
+    # the thrust line ends at a box that is larger than the strip by its size on every side
+    low, high = box_about(strip.rod.position)
+    size = max(high - low)
+    record |= {
+        "elements": _elements(spec, strip),
+        "thrust": [_rounded(side, 3) for side in thrust_sides(strip.rod, low - size, high + size)],
+    }
     near = rod if isinstance(rod, NearestRod) else None
     if near is not None:
         record["theorem"] = _inflections(strip.rod)
@@ -395,30 +416,8 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
     return elements
 
 
-def _thrust_line(rod: Rod) -> list[Any]:
-    # polylines of the thrust line in a box that is larger than the strip by its size on every side
-    low, high = box_about(rod.position)
-    size = max(high - low)
-    return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
-
-
 def _drawn_points(spec: StripSpec) -> Record:
     return {"drawn": _rounded(spec.curve.sample(DRAWN_NODES + 1).position, 3)}
-
-
-def _theorem(check: EquilibriumCheck) -> Record:
-    # inflections, the line through them, and the places of faults; `at` has arc lengths, mm
-    def places(s: Sequence[float]) -> list[Any]:
-        return _rounded(check.curve.at(s).position, 3) if len(s) else []
-
-    line = check.line
-    return {
-        "inflections": places(check.inflections),
-        "at": _rounded(check.inflections, 2),
-        "line": None if line is None else [line.point, line.direction],
-        "off": [] if check.realizable else places([s for s, _ in check.off_line]),
-        "crossings": places((*check.crossings, *check.touches, *check.curvature_touches, *check.jumps)),
-    }
 
 
 def _inflections(rod: Rod) -> Record:
@@ -823,7 +822,23 @@ def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
     path = folder / f"dropped{FilePath(name).suffix.lower()}"
     path.write_text(text, encoding="utf-8", newline="")
     try:
-        return _contents(path, name)
+        if path.suffix == ".toml":
+            tables = parse_design(path)
+            _refuse_files(tables)
+            return {"design": drawable(tables, path, _no_file)}
+        curves = read_curves(path)
+        return {
+            "curves": [
+                {
+                    "called": f"{name} {item.number} {item.name}".rstrip(),
+                    "curve": curve_table(item.curve),
+                    "read": str(curves.file.report([item])),
+                }
+                for item in curves.file
+                if not item.problem
+            ],
+            "notes": list(curves.notes),
+        }
     except ElasticaError as problem:
         problem.refusal = _with_name(problem.refusal, path, name)
         raise
@@ -848,27 +863,6 @@ def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
         refusal.changes,
         refusal.severity,
     )
-
-
-def _contents(path: FilePath, name: str) -> Record:
-    """Return the design, or the curves and notes, in a dropped file. `name` is its original name."""
-    if path.suffix == ".toml":
-        tables = parse_design(path)
-        _refuse_files(tables)
-        return {"design": drawable(tables, path, _no_file)}
-    curves = read_curves(path)
-    return {
-        "curves": [
-            {
-                "called": f"{name} {item.number} {item.name}".rstrip(),
-                "curve": curve_table(item.curve),
-                "read": str(curves.file.report([item])),
-            }
-            for item in curves.file
-            if not item.problem
-        ],
-        "notes": list(curves.notes),
-    }
 
 
 def _open_saved(_: Mapping[str, Any], saved: FilePath | None) -> Record:

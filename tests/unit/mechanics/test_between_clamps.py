@@ -76,9 +76,9 @@ def test_a_strip_of_even_width_is_drawn(angles):
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        ({"start": (0, 0, 3)}, "start is .*: give a point \\(x, y\\)"),
-        ({"start": "a"}, "start is .*: give a point \\(x, y\\)"),
-        ({"end": 70}, "end is 70: give a point \\(x, y\\)"),
+        ({"start": (0, 0, 3)}, "start cannot be .*: give two finite numbers"),
+        ({"start": "a"}, "start cannot be .*: give two finite numbers"),
+        ({"end": 70}, "end cannot be 70: give two finite numbers"),
         ({"length": "100"}, "length is '100': give a number"),
         ({"angles": 45}, "angles are .*: give two numbers"),
         ({"angles": (10,)}, "angles are .*: give two numbers"),
@@ -143,8 +143,8 @@ class TestFreeEnd:
         ("end", "options", "says"),
         [
             (None, {}, "give the angle at the start"),
-            (None, {"angles": (0, None), "force": "down"}, "force is .*: give two numbers"),
-            (None, {"angles": (0, None), "force": (1, 2, 3)}, "force is .*: give two numbers"),
+            (None, {"angles": (0, None), "force": "down"}, "force cannot be .*: give two finite numbers"),
+            (None, {"angles": (0, None), "force": (1, 2, 3)}, "force cannot be .*: give two finite numbers"),
             ((60, 0), {"force": (0, 1e-4)}, "give None for the end, or no force"),
         ],
     )
