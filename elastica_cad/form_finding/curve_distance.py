@@ -1,7 +1,7 @@
 """Drawn curve in units of its length, and measures of the distance of a rod from the curve."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import TYPE_CHECKING, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -105,24 +105,6 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
     return centre, axis
 
 
-class Distance(Protocol):
-    """Interface of a measure of the distance of a rod from the target.
-
-    Its value is the distance to the power of `power`, divided by `power`.
-    """
-
-    power: ClassVar[int]
-
-    def value(self, rod: MappedRod) -> float:
-        """Return the distance to minimise; the unit of length is the length of the target."""
-
-    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a convex Gauss-Newton model of the distance as a function of a step of the unknowns.
-
-        The last column of the sensitivities is the change that brings the rod into equilibrium.
-        """
-
-
 @dataclass(frozen=True, eq=False)
 class MeanDistance:
     """Half the weighted mean of squared distances between rod and target at equal fractions of their lengths.
@@ -145,9 +127,24 @@ class MeanDistance:
         return 0.5 * float(self.shares @ dot(off, off))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a model of the distance that is exact for positions linear in the unknowns."""
+        """Return a Gauss-Newton model, which is exact for positions linear in the unknowns.
+
+        The last column of the sensitivities is the change that brings the rod into equilibrium.
+        """
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
-        return _least_squares(J, (rod.position - self.targets).ravel(), self.shares.repeat(2))
+        p, roots = J.shape[1] - 1, np.sqrt(self.shares.repeat(2))
+        A = J * roots[:, None]
+        A[:, -1] += (rod.position - self.targets).ravel() * roots
+        product = A.T @ A
+        none = np.zeros(0)
+        return LocalModel(
+            0.5 * float(product[p, p]),
+            product[:p, :p],
+            product[:p, p],
+            none,
+            np.zeros((0, p)),
+            none.astype(int),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,19 +193,8 @@ class LargestDistance:
         return i, np.append(nodes, k + 1), np.append(np.zeros(nodes.size), w), gaps
 
 
-def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
-    """Return the model of half the weighted mean square of r + J d for a step d, with the weights `shares` (k,).
-
-    The last column of J is the change that brings the rod into equilibrium. This change is added to r.
-    """
-    p, roots = J.shape[1] - 1, np.sqrt(shares)
-    A = J * roots[:, None]
-    A[:, -1] += r * roots
-    product = A.T @ A
-    none = np.zeros(0)
-    return LocalModel(
-        0.5 * float(product[p, p]), product[:p, :p], product[:p, p], none, np.zeros((0, p)), none.astype(int)
-    )
+Distance: TypeAlias = MeanDistance | LargestDistance
+"""Distance of a rod from the target; `value` is the distance to the power of `power`, divided by `power`."""
 
 
 def measure_deviation(target: TargetCurve, points: FloatArray) -> float:

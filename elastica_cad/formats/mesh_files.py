@@ -1,6 +1,6 @@
 """Reader of surfaces in files; triangle meshes (OBJ, STL, PLY) are read by trimesh."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
 from typing import TypeAlias
@@ -106,17 +106,15 @@ def _obj_with_positive_indices(data: bytes) -> BytesIO:
         if kind in _OBJ_LISTS:
             counts[_OBJ_LISTS[kind]] += 1
         elif kind == b"f":
-            corners = [_with_positive_indices(corner, counts) for corner in corners]
+            corners = [
+                b"/".join(
+                    b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
+                    for index, count in zip(corner.split(b"/"), counts, strict=False)
+                )
+                for corner in corners
+            ]
         lines.append(b" ".join([kind, *corners]))
     return BytesIO(b"\n".join(lines))
-
-
-def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
-    indices = corner.split(b"/")
-    return b"/".join(
-        b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
-        for index, count in zip(indices, counts, strict=False)
-    )
 
 
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6

@@ -307,15 +307,13 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
     runs: list[list[Segment]] = [[]]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
-        edges = np.unique([0.0, *(u for u in cuts if _is_within(segment, u)), 1.0])
+        # a cut at an end of the segment would leave a part of no length
+        tips = np.array([segment.start, segment.end])
+        inside = (u for u in cuts if 0 < u < 1 and norm(tips - segment.at(u)).min() > JOIN)
+        edges = np.unique([0.0, *inside, 1.0])
         for u0, u1 in pairwise(edges.tolist()):
             if keeps(segment.at((u0 + u1) / 2)):
                 runs[-1].append(trim_segment(segment, u0, u1))
             elif runs[-1]:
                 runs.append([])
     return runs if runs[-1] else runs[:-1]
-
-
-def _is_within(segment: Segment, u: float) -> bool:
-    # True unless the point is at an end of the segment, where a cut would leave a part of no length
-    return 0 < u < 1 and bool(norm(np.array([segment.start, segment.end]) - segment.at(u)).min() > JOIN)

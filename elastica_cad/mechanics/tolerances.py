@@ -403,7 +403,14 @@ def tolerance_study(
         least_width(rod, max_width, varied.width_loss[1])
     rng = np.random.default_rng(seed)
     imperfections = {name: _drawn(varied, name, rng, samples) for name in _CAUSES}
-    combined = [_merged(parts) for parts in zip(*imperfections.values(), strict=True)]
+    combined = [
+        Imperfection(**{
+            field: getattr(part, field)
+            for part, fields in zip(parts, _CAUSES.values(), strict=True)
+            for field in fields
+        })
+        for parts in zip(*imperfections.values(), strict=True)
+    ]  # fmt: skip
     groups = [(name, drawn, _corner_imperfections(varied, name)) for name, drawn in imperfections.items()]
     groups.append(("combined", combined, []))
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
@@ -458,14 +465,6 @@ def _corner_imperfections(ranges: ToleranceRanges, cause: str) -> list[Imperfect
     fields = _CAUSES[cause]
     corners = product(*(getattr(ranges, source) for source in fields.values()))
     return [Imperfection(**dict(zip(fields, corner, strict=True))) for corner in dict.fromkeys(corners)]
-
-
-def _merged(parts: Sequence[Imperfection]) -> Imperfection:
-    return Imperfection(**{
-        field: getattr(part, field)
-        for part, fields in zip(parts, _CAUSES.values(), strict=True)
-        for field in fields
-    })  # fmt: skip
 
 
 def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:

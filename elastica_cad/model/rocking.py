@@ -147,19 +147,15 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
         needed = (needed_length(tab, plate, gap) for plate in plates for tab in tabs_of(plate))
         sized = fitting_tabs(placed, plates, gap, max(longest, *needed), keep=keep)
         if sized is not None:
-            sized_strips = with_tabs(placed, *sized)
+            sized_strips, (length, width) = with_tabs(placed, *sized), sized
             pairs = [plate for first in plates for plate in pair_with_tabs(sized_strips, first, gap)]
             if not any(seat.rocks for seat in tab_seats(pairs).values()):
-                return _pair_text(gap, *sized)
+                tab = {"length": length} | ({} if width == np.inf else {"width": width})
+                return note(
+                    "two plates ({field} = {gap:g}) and tabs {length:g} long"
+                    if width == np.inf
+                    else "two plates ({field} = {gap:g}) and tabs {length:g} long and {width:.0f} wide",
+                    field=FieldName("gap"), gap=gap, length=Length(length), width=Length(width),
+                    changes=(Change("two_plates", {"gap": gap, "tab": tab}),),
+                )  # fmt: skip
     return ""
-
-
-def _pair_text(gap: float, length: float, width: float) -> str:
-    tab = {"length": length} | ({} if width == np.inf else {"width": width})
-    return note(
-        "two plates ({field} = {gap:g}) and tabs {length:g} long"
-        if width == np.inf
-        else "two plates ({field} = {gap:g}) and tabs {length:g} long and {width:.0f} wide",
-        field=FieldName("gap"), gap=gap, length=Length(length), width=Length(width),
-        changes=(Change("two_plates", {"gap": gap, "tab": tab}),),
-    )  # fmt: skip

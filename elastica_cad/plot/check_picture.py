@@ -61,7 +61,17 @@ def check(check: EquilibriumCheck) -> Figure:
         for outlier in measured.outlier:
             ring = {"markersize": 16, "markerfacecolor": "none", "markeredgewidth": 1.6}
             axes.plot(*outlier.values["place"], "o", color="#c62828", label="_stands out", **ring)
-    for label, color, marker, places in _marks(check):
+    # label, colour, marker and arc lengths, mm, of each kind of place
+    kinds: tuple[tuple[str, str, str, Sequence[float]], ...] = (
+        ("inflections", LINE, "o", check.inflections),
+        ("off the line", LINE, "D", [s for s, off in check.off_line if off > 1e-6 * check.length]),
+        ("the line crosses here", FAINT, "X", check.crossings),
+        ("the line touches here", FAINT, "P", check.touches),
+        ("the curvature touches zero", "#b06a00", "s", check.curvature_touches),
+        ("the curvature jumps", "#b06a00", "v", check.jumps),
+        ("straight", "#b06a00", "|", [s for piece in check.flats for s in piece]),
+    )
+    for label, color, marker, places in kinds:
         if not places:
             continue
         points = curve.at(np.array(places)).position
@@ -79,21 +89,3 @@ def check(check: EquilibriumCheck) -> Figure:
     )  # fmt: skip
     finish_axes(axes, f"{verdict}: {number_text(check.length, '.4g')} mm; places in mm along it{dots}")
     return figure
-
-
-def _marks(check: EquilibriumCheck) -> tuple[tuple[str, str, str, Sequence[float]], ...]:
-    # label, colour, marker and arc lengths, mm, of each kind of place
-    return (
-        ("inflections", LINE, "o", check.inflections),
-        (
-            "off the line",
-            LINE,
-            "D",
-            [s for s, distance in check.off_line if distance > 1e-6 * check.length],
-        ),
-        ("the line crosses here", FAINT, "X", check.crossings),
-        ("the line touches here", FAINT, "P", check.touches),
-        ("the curvature touches zero", "#b06a00", "s", check.curvature_touches),
-        ("the curvature jumps", "#b06a00", "v", check.jumps),
-        ("straight", "#b06a00", "|", [s for piece in check.flats for s in piece]),
-    )

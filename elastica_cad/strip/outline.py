@@ -308,8 +308,8 @@ kernels fail."""
 LEVEL_MM = 0.03
 """Largest change of half the width, mm, by which a long side ends level."""
 
-LEVEL_SLOPES = 1e-7, 0.15
-"""Slopes of long sides that end level. CAD kernels fail to chamfer edges with a slight corner between them."""
+LEVEL_SLOPE = 0.15
+"""Slope below which long sides end level. CAD kernels fail to chamfer edges with a slight corner between them."""
 
 MEETING_MM = 1e-9
 """Largest distance, mm, between the ends of two segments that meet."""
@@ -337,8 +337,7 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
 def _with_level_end(width: Profile, tab: Tab, at: int) -> Profile:
     """Return the width with slope zero at its first (`at` is 0) or last end (-1) if the tab has the same width."""
     slope = abs(float(width(width.knots[at], 1))) / 2
-    joined = tab.length > 0 and tab.width is None and tab.taper == 0
-    if not (joined and LEVEL_SLOPES[0] < slope < LEVEL_SLOPES[1]):
+    if not (tab.length and tab.width is None and not tab.taper and 0 < slope < LEVEL_SLOPE):
         return width
     # a knot at this distance from the end limits the change
     reach = width.degree * LEVEL_MM / slope
