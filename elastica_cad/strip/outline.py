@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import EMPTY, FloatArray, Takes
+from elastica_cad._types import EMPTY, BoolArray, FloatArray, Takes
 from elastica_cad._values import counted, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import TAB_LENGTH
@@ -305,7 +305,7 @@ SHOULDER_MM = 1e-3
 """Least width of a shoulder beside a tab, mm. Narrower shoulders are omitted, because they cannot be cut and CAD
 kernels fail."""
 
-LEVEL_MM = 0.03
+LEVEL_MM = 0.01
 """Largest change of half the width, mm, by which a long side ends level."""
 
 LEVEL_SLOPE = 0.15
@@ -322,9 +322,10 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     knots, so that y(x) is exactly half the width, except for a level end beside a tab that is as wide.
     """
     start, end = map(_without_small_shoulders, ends, _end_widths(width))
+    joined = [bool(tab.length and tab.width is None and not tab.taper) for tab in (start, end)]
     pieces = _parts_between_jumps(width)
-    pieces[0] = _with_level_end(pieces[0], start, 0)
-    pieces[-1] = _with_level_end(pieces[-1], end, -1)
+    last = len(pieces) - 1
+    pieces = [_with_level_ends(pieces[k], joined & np.array([k == 0, k == last])) for k in range(last + 1)]
     lower = [_side(piece, -0.5) for piece in pieces]
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     near, far = (
@@ -334,19 +335,19 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
 
 
-def _with_level_end(width: Profile, tab: Tab, at: int) -> Profile:
-    """Return the width with slope zero at its first (`at` is 0) or last end (-1) if the tab has the same width."""
-    slope = abs(float(width(width.knots[at], 1))) / 2
-    if not (tab.length and tab.width is None and not tab.taper and 0 < slope < LEVEL_SLOPE):
+def _with_level_ends(width: Profile, level: BoolArray) -> Profile:
+    """Return the width with slope zero where `level` (2,) is True, at its start and its end: see `LEVEL_SLOPE`."""
+    t, k = width.knots, width.degree
+    slopes = np.abs(width(t[[0, -1]], 1)) / 2
+    level = level & (slopes > 0) & (slopes < LEVEL_SLOPE)
+    if not level.any():
         return width
-    # a knot at this distance from the end limits the change
-    reach = width.degree * LEVEL_MM / slope
-    place = width.knots[at] + (reach if at == 0 else -reach)
-    inside = width.knots[0] < place < width.knots[-1]
-    knots = np.sort(np.append(width.knots, place)) if inside else width.knots
-    coefficients = over_knots(width, knots, width.degree)
-    coefficients[1 if at == 0 else -2] = coefficients[at]
-    return Profile(knots, coefficients, width.degree)
+    # a knot at this distance from an end limits the change
+    reach = k * LEVEL_MM / np.where(level, slopes, np.inf)
+    knots = np.sort([*t, *(x for x in (t[0] + reach[0], t[-1] - reach[1]) if t[0] < x < t[-1])])
+    coefficients = over_knots(width, knots, k)
+    coefficients[[1, -2]] = np.where(level, coefficients[[0, -1]], coefficients[[1, -2]])
+    return Profile(knots, coefficients, k)
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:

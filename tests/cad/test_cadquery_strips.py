@@ -134,7 +134,8 @@ class TestWorkplane:
         strip = flat_strip(cq.Workplane().spline(POINTS), SHEET, **OPTIONS)
         sheets = faces.extrude(0.8, combine=False)
         volumes = [solid.Volume() for solid in sheets.solids().vals()]
-        assert volumes == pytest.approx([strip.Volume()] * 2, rel=1e-6)
+        # the kernel integrates the short level ends of the sides only roughly
+        assert volumes == pytest.approx([strip.Volume()] * 2, rel=3e-4)
         assert sheets.val().BoundingBox().ymax == pytest.approx(7, abs=1e-5)
 
     def test_outlines_join_no_solid(self):
@@ -176,7 +177,7 @@ class TestSketch:
         )
         strip = flat_strip(cq.Workplane().spline(POINTS), SHEET, **OPTIONS)
         solid = cq.Workplane().placeSketch(sketch).extrude(2)
-        assert solid.val().Volume() == pytest.approx(2 * strip.strip.area, rel=1e-4)
+        assert solid.val().Volume() == pytest.approx(2 * strip.strip.area, rel=3e-4)
         assert sketch.faces(tag="strip").vals()
 
     def test_no_edges(self):

@@ -61,7 +61,8 @@ def test_perforated_strips_leave_what_they_should(length, stiffness, outline, si
     left = strip.layers[0].material(s)
     wanted = strip.bending_stiffness * rod.profile(s) / CARD.bending_stiffness(1.0)
     off = np.abs(s - length / 2) > 1e-3 if jump else np.full(s.shape, True)
-    assert np.abs(left / wanted - 1)[off].max() < 1e-3
+    # the sides end level beside the tabs
+    assert (np.abs(left - wanted) < 1e-3 * wanted + 0.02)[off].all()
     assert (left / (2 * columns + 2)).min() > 0.5 * (1 - 1e-3)
     for hole in strip.holes:
         (x0, y0), (x1, y1) = hole.bounds

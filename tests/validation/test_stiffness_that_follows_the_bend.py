@@ -62,7 +62,8 @@ def test_a_wide_strip_strays_as_its_bend_stiffens_it(case, wide_strips):
         drawn(curve, length), sheet, max_width=width, gravity=heavy, compensate=False, ignore_limits=True
     )
     own = wide_strips.OwnStrip.cut(made.width, sheet, heavy=heavy).bent(made.rod)
-    assert made.held_deviation == pytest.approx(strays(own.position, made.rod.position), rel=AGREES)
+    # the sides end level beside the tabs, which moves the strip by less than 0.5 um
+    assert made.held_deviation == pytest.approx(strays(own.position, made.rod.position), rel=AGREES, abs=5e-4)
 
 
 @pytest.mark.parametrize(

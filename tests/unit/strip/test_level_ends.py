@@ -45,6 +45,6 @@ def test_level_ends_change_the_width_little_and_only_there(curve):
     )
     points = upper.sample(4001).position
     off = np.abs(points[:, 1] - strip.width(points[:, 0]) / 2)
-    assert off.max() < 0.03
-    assert off[400:-400].max() < 0.01
+    assert off.max() < 0.01
+    assert off[400:-400].max() < 0.002
     assert len(strip.outline.segments) == len(bare.outline.segments) + 4
