@@ -293,6 +293,7 @@ class Slider(SlidingEnd):
         The x axis is along the path, or along the strip if the end rotates. The z axis is across the
         strip.
         """
+        self.travel.rod(position)  # a position outside the travel is refused
         turns = self.travel.angle is not None
         moved = cq.Location((0, 0, 0), (0, 0, 1), position) if turns else cq.Location((position, 0, 0))
         return make_location(self.travel.place) * moved

@@ -149,7 +149,15 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     loads = elements_of(chosen, LOADS)
     under = result.under(loads) if loads else None
     loaded = under and _loaded_report(result, under)
-    table = _table(fractions, shorter, in_newtons=in_newtons)
+    table: dict[str, Any] = {
+        "shorter_percent": [100 * fraction for fraction in fractions],
+        "cord_mm": norm(shorter.end),
+        "pull_N" if in_newtons else "pull_N_per_GPa": norm(shorter.end_force),
+        "rise_mm": [rise_of(rod) for rod in shorter.rods],
+        "strain_percent": 100 * shorter.strain,
+        **({"safety": shorter.safety} if in_newtons else {}),
+        "margin": shorter.margin,
+    }
     report = {
         "length_mm": Length(result.length), "cord_mm": Length(result.cord), "rise_mm": Length(result.rise),
         "pull_N": Force(result.pull) if in_newtons else None,
@@ -275,18 +283,6 @@ def _curve_row(result: Bow, far: Length) -> Row:
     if far <= FAR_SHARE * result.length:
         return Row("Curve", text)
     return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")
-
-
-def _table(fractions: list[float], shorter: Travel, *, in_newtons: bool) -> dict[str, Any]:
-    return {
-        "shorter_percent": [100 * fraction for fraction in fractions],
-        "cord_mm": norm(shorter.end),
-        "pull_N" if in_newtons else "pull_N_per_GPa": norm(shorter.end_force),
-        "rise_mm": [rise_of(rod) for rod in shorter.rods],
-        "strain_percent": (100 * shorter.strain),
-        **({"safety": shorter.safety} if in_newtons else {}),
-        "margin": shorter.margin,
-    }
 
 
 def _print_table(table: dict[str, Any]) -> None:

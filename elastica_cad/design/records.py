@@ -485,13 +485,12 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
         if key.name in without:
             continue
         yield key.name, key
-        for inner in tables_in(written(key.kind)):
-            # the key `kind`, which selects the record, is not a field of the record
+        kind = written(key.kind)
+        # values of the key `kind`, which selects the record and is not a field of it
+        words = tuple(word for part in kind.alternatives if part.record and (word := word_of(part.record)))
+        for inner in tables_in(kind):
             if word := word_of(inner):
-                yield (
-                    f"{key.name}.kind",
-                    Field("kind", Kind("choice", choices=_words(key.kind)), key.option, word),
-                )
+                yield f"{key.name}.kind", Field("kind", Kind("choice", choices=words), key.option, word)
             for path, entry in _walked(inner):
                 yield f"{key.name}.{path}", entry
 
@@ -500,15 +499,6 @@ def tables_in(kind: Kind) -> list[Record]:
     """Return the record classes of all tables that a value of this kind may contain."""
     inner_tables = [inner for part in kind.of for inner in tables_in(written(part))]
     return [*inner_tables, *([kind.record] if kind.record is not None else [])]
-
-
-def _words(kind: Kind) -> tuple[str, ...]:
-    # values of the key `kind` that select a record of this kind
-    return tuple(
-        word
-        for alternative in written(kind).alternatives
-        if alternative.record and (word := word_of(alternative.record))
-    )
 
 
 def put(table: dict[str, Any], path: str, value: Any) -> None:

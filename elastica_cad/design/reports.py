@@ -136,14 +136,22 @@ def report_strip(
             stations=stations,
             most_stations=MOST_STATIONS,
         )
-    rod, sheet = strip.rod, strip.sheet
+    rod, sheet, layout = strip.rod, strip.sheet, strip.layout
+    s = np.linspace(0.0, rod.length, stations)
     unstable = None if stability is None else instability(strip, stability)
     numbers = strip_quantities(strip) | {
         "stability": None if stability is None else _stability_report(strip, stability),
         "moved_by_snapping": rod.moved,
         "residual": rod.residual,
         "gravity": rod.gravity,
-        "stations": _stations_report(strip, stations),
+        "stations": {
+            "s": s,
+            "stiffness": rod.profile(s),
+            "width": strip.width(s),
+            "material": layout.material(s),
+            "backing": None if layout.backing is None else layout.backing.width(s),
+            **{name: size(s) for name, size in strip.tapered.items()},
+        },
         "sheet": {
             "name": sheet.name,
             "thickness": sheet.thickness,
@@ -163,6 +171,13 @@ def report_strip(
         "between": _between(strip),
         "warnings": [*strip.warnings, *filter(None, [unstable])],
     }
+    smoothed = None
+    if smoothing is not None:
+        fairing = smoothing.fairing
+        smoothed = plain_data({
+            "moved": smoothing.moved, "allowed": fairing and fairing.tolerance,
+            "ratio_as_drawn": fairing and smoothing.ratio_as_drawn, "healed": smoothing.healed,
+        }) | {"drawn": fairing and curve_record(smoothing.drawn)}  # fmt: skip
     return {
         "schema": REPORT_SCHEMA,
         "name": name,
@@ -185,7 +200,7 @@ def report_strip(
                 for bound in near.binding
             ],
         },
-        "smoothing": None if smoothing is None else _smoothing_report(smoothing),
+        "smoothing": smoothed,
         **plain_data(numbers),
     }
 
@@ -259,16 +274,6 @@ def _between(strip: Strip) -> list[PlainData]:
     ]
 
 
-def _stations_report(strip: Strip, count: int) -> PlainData:
-    rod, layout = strip.rod, strip.layout
-    s = np.linspace(0.0, rod.length, count)
-    return {
-        "s": s, "stiffness": rod.profile(s), "width": strip.width(s), "material": layout.material(s),
-        "backing": None if layout.backing is None else layout.backing.width(s),
-        **{name: size(s) for name, size in strip.tapered.items()},
-    }  # fmt: skip
-
-
 def _layers(strip: Strip) -> list[PlainData]:
     """Return the layers, the base layer first.
 
@@ -299,15 +304,6 @@ def _creep(strip: Strip) -> PlainData | None:
         "force_share": crept.force_share, "end_forces": crept.end_forces * strip.bending_stiffness,
         "margin": crept.stability.margin, "word": crept.stability.word, "kept_bend": crept.kept_share,
     }  # fmt: skip
-
-
-def _smoothing_report(smoothing: Smoothing) -> PlainData:
-    fairing = smoothing.fairing
-    numbers = {
-        "moved": smoothing.moved, "allowed": fairing and fairing.tolerance,
-        "ratio_as_drawn": fairing and smoothing.ratio_as_drawn, "healed": smoothing.healed,
-    }  # fmt: skip
-    return {**plain_data(numbers), "drawn": fairing and curve_record(smoothing.drawn)}
 
 
 def report_held(shape: HeldShape) -> PlainData:

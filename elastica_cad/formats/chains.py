@@ -269,14 +269,13 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> dict[
 
 def _cosine_of_turn(runs: Sequence[Run], first: _End, other: _End) -> float:
     # both directions point out of their runs, so they are opposite where one run continues the other
-    out, into = (_end_tangent(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
-    return float(-out @ into)
-
-
-def _end_tangent(run: Run) -> FloatArray:
-    low, high = run[-1].spans.edges[-2:]
-    before, end = run[-1].at([high - 1e-4 * (high - low), high])
-    return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
+    tangents = []
+    for i, side in (first, other):
+        edge = (reverse_run(runs[i]) if side == 0 else runs[i])[-1]
+        low, high = edge.spans.edges[-2:]
+        before, end = edge.at([high - 1e-4 * (high - low), high])
+        tangents.append((end - before) / max(float(np.linalg.norm(end - before)), 1e-300))
+    return float(-tangents[0] @ tangents[1])
 
 
 class _RunIndex:

@@ -140,7 +140,9 @@ class TupleLike(Protocol):
 class LocationLike(Protocol):
     """Interface of a location of build123d or CadQuery."""
 
-    wrapped: Any
+    @property
+    def wrapped(self) -> Any:
+        """Location of the kernel."""
 
 
 Point: TypeAlias = Iterable[float] | TupleLike | LocationLike
@@ -159,6 +161,8 @@ def numbers_of(point: Point) -> tuple[float, ...]:
     if isinstance(wrapped, kernel().TopLoc_Location):
         return coordinates(wrapped.Transformation().TranslationPart())
     numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
+    if isinstance(numbers, str | bytes):
+        raise TypeError
     return tuple(map(float, numbers))
 
 

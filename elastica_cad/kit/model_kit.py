@@ -22,7 +22,7 @@ from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
 from elastica_cad.model.assembly import engraved_marks, single_holders
-from elastica_cad.model.cut_rows import CutListRow, Stock
+from elastica_cad.model.cut_rows import CutListRow
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
@@ -364,7 +364,10 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
             f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
             for nest in contents.nests
         ),
-        *(f"To buy: {item}{_sawn(item)}." for item in listed.stock),
+        *(
+            f"To buy: {item}{'; saw from each, mm: ' * bool(item.sawn)}{'; '.join(item.sawn)}."
+            for item in listed.stock
+        ),
         *_block_lines(contents, report["files"]),
         *["Nothing is written on the parts: write the name of its file on each when they arrive."]
         * contents.spec.cutting.service,
@@ -372,10 +375,6 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
     ]
     files = {file: what for file, what in report["files"].items() if file != START_PAGE}
     return compose_start_page(contents.model.name, lines, [*one_of_each(report["reports"])], files)
-
-
-def _sawn(item: Stock) -> str:
-    return f"; saw from each, mm: {'; '.join(item.sawn)}" if item.sawn else ""
 
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:

@@ -715,7 +715,12 @@ def examine_curvature(
     touches = [z.s for z in zeros if z.kind == "touch"]
     points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
     # the first straight piece is the tail at the start (end 0), the last one the tail at the end (end 1)
-    joints = tuple(_joint_of(flats[-end], end) for end in tails if flats)
+    joints = []
+    for end in tails if flats else ():
+        tail = flats[-end]
+        t, s = (tail.t, tail.s) if end else (tail.t_end, tail.s_end)
+        sides = (tail.before, 0) if end else (0, tail.after)
+        joints.append(CurvatureZero(s, t, "flat", s, t, *sides))
     check = EquilibriumCheck(
         realizable=True,
         reasons=(),
@@ -922,11 +927,6 @@ def _straight_part_reasons(
         )  # fmt: skip
 
 
-def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
-    t, s = (tail.t, tail.s) if end else (tail.t_end, tail.s_end)
-    return CurvatureZero(s, t, "flat", s, t, *((tail.before, 0) if end else (0, tail.after)))
-
-
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
@@ -1008,14 +1008,16 @@ def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatAr
     """Return the relative jumps (n,) of the curvature, and the jumps (n,) of its slope.
 
     All jumps are divided by the curvature, and the jumps of the slope are multiplied by the length of the curve.
+    The divisor is at least 1e-6 of the largest curvature: where the curvature is 0, rounding errors are not jumps.
     """
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
     before = np.where(after == low, high, after)  # the start of a closed curve follows its end
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
-    size = np.maximum(np.abs(kappa).max(axis=0), float(np.finfo(float).tiny))
-    with np.errstate(over="ignore"):  # where the curvature is 0, the relative jump is infinite
+    sizes = np.abs(kappa)
+    size = np.maximum(sizes.max(axis=0), 1e-6 * sizes.max(initial=np.finfo(float).tiny))
+    with np.errstate(over="ignore"):  # the curvature may be 0 everywhere
         return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
 
 

@@ -32,7 +32,13 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
         far=about(first), other=about(second), **_names(part),
     )  # fmt: skip
     stability = Row(note("Stability"), LATER) if live else _stability_row(part)
-    rows = [_size(part), _strain(part, quick=quick), stability, *path]
+    size = note(
+        "{length:.1f} between its end pads, {thickness} wide in the drawing, {depth} thick",
+        length=Length(part.pair.length), thickness=Span.of(*part.thickness_range),
+        depth=Length(part.sheet.thickness),
+    )  # fmt: skip
+    ratio = note("The largest stiffness of the strip is {ratio:.4g} times the least.", ratio=part.pair.ratio)
+    rows = [Row(note("Size"), size, (ratio,)), _strain(part, quick=quick), stability, *path]
     turn, moved = part.second_moved
     # curves may be drawn beside each other, so the turn of the second state is stated
     if abs(turn) > 0.05:
@@ -53,19 +59,6 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
 
 def _names(part: Flexure) -> dict[str, Any]:
     return dict(zip(STATES, part.state_labels, strict=True))
-
-
-def _size(part: Flexure) -> Row:
-    return Row(
-        note("Size"),
-        note(
-            "{length:.1f} between its end pads, {thickness} wide in the drawing, {depth} thick",
-            length=Length(part.pair.length),
-            thickness=Span.of(*part.thickness_range),
-            depth=Length(part.sheet.thickness),
-        ),
-        (note("The largest stiffness of the strip is {ratio:.4g} times the least.", ratio=part.pair.ratio),),
-    )
 
 
 def _strain(part: Flexure, *, quick: bool) -> Row:

@@ -324,8 +324,8 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     start, end = map(_without_small_shoulders, ends, _end_widths(width))
     joined = [bool(tab.length and tab.width is None and not tab.taper) for tab in (start, end)]
     pieces = _parts_between_jumps(width)
-    last = len(pieces) - 1
-    pieces = [_with_level_ends(pieces[k], joined & np.array([k == 0, k == last])) for k in range(last + 1)]
+    tips = np.array([0, len(pieces) - 1])
+    pieces = [_with_level_ends(piece, joined & (tips == k)) for k, piece in enumerate(pieces)]
     lower = [_side(piece, -0.5) for piece in pieces]
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     near, far = (

@@ -106,7 +106,7 @@ class Slot:
         # a lean in degrees is accepted here: see `require_rad`
         if abs(self.lean) >= 90.0:
             raise InputError(
-                f"{here}: lean (the angle of the slot) is {self.lean:g} rad; give less than pi / 2"
+                f"{here}: lean (the angle of the slot) is {self.lean:g}; give less than a quarter turn"
             )
         if (self.path is None) != (self.widths is None):
             raise InputError(f"{here}: path or widths are missing; give both")

@@ -47,6 +47,16 @@ class TestBuild123d:
         low, high = strip.width.extremes
         assert high / low < 1 + 1e-3
 
+    @pytest.mark.parametrize("length", [172.0, 200.0, 241.0])
+    def test_a_strip_takes_it_as_it_is_between_parallel_clamps(self, length):
+        """Its inflections are at knots, where the curvature is a rounding error: this was taken for a kink."""
+        line = bd_strips.Elastica((0, 0), (160, 0), length, angles=(0, 0))
+        rib = bd_strips.BentStrip(line, "pom-0.5", max_width=10, ignore_limits=True, compensate=False)
+        assert rib.rod.length == pytest.approx(length, abs=1e-3)
+        assert rib.deviation < 1e-3
+        assert not any("Smoothing" in text for text in rib.warnings)
+        assert rib.strip.width.extremes == pytest.approx((10, 10), rel=1e-3)
+
     def test_bodies_weigh_as_their_sheet(self):
         """A pinned end once rippled the width by a tenth, and kernels then missed 2 % of the volume."""
 

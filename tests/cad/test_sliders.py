@@ -101,6 +101,7 @@ def test_shapes_on_the_way(arch_strip):
         (lambda strip: Travel(strip, Frame(), (1e4, 0)), "Choose a nearer point"),
         (lambda strip: Travel(strip, Frame(), strip.rod.position[-1]), "already in this position"),
         (lambda strip: Travel(strip, Frame(), 3.0), "two numbers"),
+        (lambda strip: Travel(strip, Frame(), "60"), "two numbers"),
         (lambda strip: Travel(strip, Frame()), "but not both"),
         (lambda strip: Travel(strip, Frame(), angle=strip.rod.angle[-1]), "already in this position"),
         (
@@ -195,6 +196,16 @@ def test_a_carriage_rides_in_cadquery(arch_strip, tmp_path):
     assert "arch" in frames_of(tmp_path / "rib.glb")
     with pytest.raises(InputError, match=r"\.bent\(\) first"):
         rib.flat.slider(END)
+
+
+@pytest.mark.cadquery
+def test_a_carriage_stays_on_its_path_in_cadquery(arch_strip):
+    slider = cq_strips.bent_strip(arch_strip).slider(end=END)
+    for position in (-1.0, 1.01 * slider.travel.length, 1000.0):
+        with pytest.raises(InputError, match="outside the travel"):
+            slider.place(position)
+        with pytest.raises(InputError, match="outside the travel"):
+            slider.constrain(cq.Assembly(), "carriage", position)
 
 
 def shown_color(path):
