@@ -276,7 +276,7 @@ def _require_files(requested: RequestedCurve, chosen: Chosen, cutting: Cutting, 
     folder: Path = chosen["output"]
     names = [f"{requested.name}.json", *(cutting.file_name(requested.name, kind) for kind in ("dxf", "svg"))]
     places = [folder / name for name in (*names, f"{requested.name}.step")]
-    if any(place.exists() and place.samefile(requested.path) for place in places):
+    if requested.path.resolve() in [place.resolve() for place in places]:
         raise InputError(
             "{kept} contains the drawn curve and is not overwritten. Choose another folder, such as -o out.",
             kept=requested.path,
