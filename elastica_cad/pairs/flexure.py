@@ -334,7 +334,7 @@ class Flexure:
         shapes = [(rest.bend, rest.stretch) for rest in rests]
         if self.pair.bistable:
             starts = self.rods if self._are_apart(*rests) else self.rods[:1]
-            shapes += [self._push(start, scale, steps=1).visited for start in starts]
+            shapes += [self._push(start, scale, 1).visited for start in starts]
         else:
             rods = self._rods_with_moved_end
             shapes.append((self._bends_of(rods), scale**2 * self._pull_of(rods)))
@@ -757,14 +757,14 @@ class Flexure:
             self.bistable and reached,
         )  # fmt: skip
 
-    def _push(self, start: Rod, scale: float, steps: int = TRAVEL_STEPS) -> PushPath:
+    def _push(self, start: Rod, scale: float, steps: int) -> PushPath:
         """Return the path of a push to the other state."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         return push_path(start, at, push, np.linspace(0.0, float(norm(push)), steps + 1), thickness=scale)
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
-        path = self._push(start, scale)
+        path = self._push(start, scale, TRAVEL_STEPS)
         if path.snap is None:
             return path
         # more shapes around the largest force and the snap
