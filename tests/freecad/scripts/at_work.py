@@ -197,7 +197,8 @@ def export():
             ),
             10,
         )
-        answers[f"export {name}"] = shown_message() or panel().form.message.text()
+        # the list of files stays below the message
+        answers[f"export {name}"] = (shown_message() or panel().form.message.text()).partition("\n")[0]
         for box in dialogs._open_boxes:
             box.close()
         if Gui.Control.activeDialog():
