@@ -1,6 +1,7 @@
 """Search for the rod nearest to a drawn curve within limits of material and machine, also with gravity."""
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import fields, replace
 from functools import partial
 from typing import NamedTuple
@@ -417,7 +418,10 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     # rounding errors
     fewest = int(np.ceil(section.leaves / limits.largest_ratio ** (1 / 3) - 1e-9))
     section = replace(section, fewest=min(max(section.fewest, fewest), section.leaves))
-    strict, steps, taper = limits, 0, _taper_on_curve(request, section, limits.length)
+    strict, steps, taper = limits, 0, None
+    if limits.length is None or limits.length[0] <= curve.length <= limits.length[1]:
+        with suppress(ElasticaError):  # no taper follows the curve exactly
+            taper = rod_of_request(replace(request, section=section.relaxed, samples=None))
     found = None if taper is None else _laid_leaves(taper, section, request, limits)
     # search with stricter and stricter limits; `found` is a stack, its violated limits, and the next limits
     for _ in range(6):
@@ -442,16 +446,6 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
         measure=request.measure, distance=deviation if request.measure == "max" else mean,
         again=partial(_again, request),
     )  # fmt: skip
-
-
-def _taper_on_curve(request: RodSpec, section: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
-    # a taper that follows the curve exactly, or None if there is none or its length is not allowed
-    if length is not None and not length[0] <= request.curve.length <= length[1]:
-        return None
-    try:
-        return rod_of_request(replace(request, section=section.relaxed, samples=None))
-    except ElasticaError:
-        return None
 
 
 def _laid_leaves(

@@ -41,9 +41,14 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
         weight = replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
     smoothed: Any = {"curve": curve, "smooth": 0.0, "weight": weight}
     if spec.may_change:
+        from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
         from elastica_cad.form_finding.nearest_search import find_nearest
 
-        return find_nearest(replace(spec, **smoothed))
+        near = find_nearest(replace(spec, **smoothed))
+        if near.failed or not spec.smoothing.moved:
+            return near
+        # from the curve as drawn, not from the smoothed curve
+        return replace(near, deviation=measure_deviation(TargetCurve.of(spec.curve), near.rod.position))
     if layers is not None and spec.gravity is not None:
         gravity = filled_gravity(layers.section, spec.gravity.direction)
         return laminate_of_request(replace(spec, **smoothed, gravity=gravity), layers).rod

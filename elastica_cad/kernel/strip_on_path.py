@@ -234,8 +234,7 @@ def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
     from elastica_cad.form_finding.nearest_record import NearestRod
 
     rod = solve_rod(spec.rod_spec)
-    changed = rod.deviation if isinstance(rod, NearestRod) else 0.0
-    return spec.make(rod), changed + spec.rod_spec.smoothing.moved
+    return spec.make(rod), rod.deviation if isinstance(rod, NearestRod) else spec.rod_spec.smoothing.moved
 
 
 def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:

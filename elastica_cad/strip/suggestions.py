@@ -428,9 +428,7 @@ def _tested(
     for request in requests:
         rod = solve_rod(request.rod_spec)
         strip = request.make(rod)
-        away.append(
-            request.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
-        )
+        away.append(rod.deviation if isinstance(rod, NearestRod) else request.rod_spec.smoothing.moved)
         if change.field == "point":
             away.append(largest_move(spec.curve, request.curve))
         elif change.field == "nearest_curve":

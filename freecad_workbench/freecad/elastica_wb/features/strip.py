@@ -397,7 +397,7 @@ def _show_results(
         Fails=[fault.number for fault in faults],
         Margin=0.0 if stability is None else stability.margin,
         ConjugatePoint=0.0 if stability is None else stability.conjugate_point or 0.0,
-        Deviation=(rod.moved if near is None else near.deviation) + smoothed,
+        Deviation=rod.moved + smoothed if near is None else near.deviation,
         **{entry.name: entry.of(strip) for entry in PROPERTIES if entry.of is not None},
     )
 
