@@ -48,8 +48,8 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     found = launching.run_window("lost.py", tmp_path)
     assert found["tracebacks"] == 0
     missing = {
-        "file": f"Imported reads {tmp_path}/spline.brep, which is missing. Restore the file or set another "
-        "FileName, and recompute the document.",
+        "file": f"Imported reads {tmp_path}/spline.brep, which is missing. Restore the file, or choose another "
+        'file in property "File Name", and recompute the document.',
         "document": "Curve links to Sketch in source.FCStd, which is missing. Restore or open the file, and "
         "recompute the document.",
     }

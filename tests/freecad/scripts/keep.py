@@ -82,6 +82,7 @@ def work():
     fit(height=320)
     until(lambda: live.session() is not None)
     live_at_rest()
+    until(live.session().card.keep.isEnabled)
     press_on_card("keep")
     until(lambda: drawn.ElasticaKeep)
     answers["stored"] = [drawn.ElasticaKeep, live.session().card.keep.isChecked()]

@@ -68,7 +68,7 @@ class FixturesPanel(Panel):
             formulas = {path.lstrip(".") for path, _ in obj.ExpressionEngine}
             for name in [name for name in boxes if name not in formulas]:
                 record_value(obj, name, self.value(boxes[name]))
-            self.document.recompute()
+            obj.recompute()  # not the blocks before the plate is accepted
             failed = why_not_made(obj)
             if failed:
                 raise InputError(failed)
