@@ -148,10 +148,8 @@ def _continuous(rod: Rod) -> _Shape:
     spline = make_interp_spline(s, change, k=5)
     # arc lengths at which the quintic spline through the change of curvature is 0
     where = np.flatnonzero(change[:-1] * change[1:] < 0)
-    bends, (start, end) = (
-        np.array([brentq(spline, s[i], s[i + 1], xtol=1e-15) for i in where]),
-        rod.supports.ends,
-    )
+    bends = np.array([brentq(spline, s[i], s[i + 1], xtol=1e-15) for i in where])
+    start, end = rod.supports.ends
     # at an end that is free to turn, drop nearby zeros of the moment, which are rounding errors of the zero
     # at the end
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
