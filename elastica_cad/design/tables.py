@@ -387,7 +387,7 @@ class Table:
 
     def place(self, key: str) -> str:
         """Return the name of a key in messages, with its file and table."""
-        return f"{self.where}: {key}" if self.where else FieldName(key)
+        return note("{table}: {key}", table=self.where, key=key) if self.where else FieldName(key)
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
@@ -491,7 +491,11 @@ class Table:
     def tables(self, key: str) -> "list[Table]":
         """Return the tables in the list that is the value of a key."""
         rows = self._of_kind(list, key, "{key} is {given}. Write a list of tables.", [])
-        return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(rows, start=1)]
+        where = self.place(key)
+        return [
+            Table(row, note("{table}[{row}]", table=where, row=number), self.scope)
+            for number, row in enumerate(rows, start=1)
+        ]
 
     def within(self, let: object) -> dict[str, Value]:
         """Return the scope with the further names in `let`. The formula of a name may use earlier names."""

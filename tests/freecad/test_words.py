@@ -39,7 +39,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
 CATALOGUES = ROOT / "elastica_cad" / "translations"
 SPOKEN = """
-    _values.py design/kit_spec.py design/reports.py formats/chains.py formats/drawn_file.py formats/edges.py
+    _values.py design/kit_spec.py design/reports.py design/tables.py formats/chains.py
+    formats/drawn_file.py formats/edges.py
     formats/placed_curve.py formats/source_file.py formats/write_files.py form_finding/fairing_request.py
     form_finding/limits.py form_finding/nearest_record.py form_finding/nearest_task.py
     form_finding/plane_sections.py form_finding/rod_spec.py form_finding/section_lines.py
@@ -68,7 +69,7 @@ PROGRAMMERS = re.compile(
     |are\ numbers|Z\(s\)|G\ /\ E|half\ plane|box\ corners|limit\ (ratio|margin)=|station\ to
     |parameter\ outside|names\ vertex|points\ \(k|vertices\ \(n|holders\ are|a\ pattern
     |rotation\ pattern|pair\ \(|prisms|line=|closed\ skin|no\ scale|stay\ plane|are\ splines
-    |limits\ are\ of|must\ be\ numbers)""",
+    |limits\ are\ of|must\ be\ numbers|unexpected\ node)""",
     re.VERBOSE,
 )
 """What only a caller of Python can bring about."""
@@ -310,6 +311,17 @@ def test_fields_have_the_names_of_their_boxes():
     ]  # fmt: skip
     assert capital("too narrow") == "Too narrow"
     assert capital("rib: too narrow") == "rib: too narrow"
+
+
+@pytest.mark.usefixtures("german")
+def test_lines_of_a_property_are_named_with_their_number(drawn):
+    from freecad.elastica_wb import make_strip
+
+    made = make_strip(drawn([(0, 0), (60, 40), (120, 60), (240, 40), (300, 0)], 4), flat_part=False)
+    change(made, Loads=["mass = 1, at = 20", "mass = 2, att = 9"])
+    assert "Eigenschaft „Loads[2]“: unbekannter Schlüssel 'att'; meinten Sie at?" in made.Reasons[0]
+    change(made, Loads=["mass = -1, at = 20"])
+    assert "Eigenschaft „Loads[1]“: mass ist -1" in made.Reasons[0]
 
 
 SMALL = {"Style": "Perforated", "OuterWidth": 24.0, "MaterialWidth": 2.0}
