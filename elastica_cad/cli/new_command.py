@@ -1,4 +1,6 @@
-"""`elastica new`: write a commented design file that can be used unchanged, and the schema for editors."""
+"""`elastica new`: write a commented design file of `cli/templates` that can be used unchanged, and the schema for
+editors.
+"""
 
 import json
 import os

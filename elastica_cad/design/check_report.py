@@ -1,4 +1,4 @@
-"""Result of `check_equilibrium` as plain data."""
+"""Result of `check_equilibrium` as plain data: the first part of the record that `cli/check_command` completes."""
 
 from dataclasses import asdict
 from typing import Any, TypeAlias

@@ -433,7 +433,7 @@ def _comparison_key(entry: StripEntry) -> Any:
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]
     numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
-    # mirrored curves differ by rounding
+    # a mirrored copy has the same curve in a mirrored frame, apart from rounding; -0.0 becomes 0.0
     digits = np.round(np.concatenate(numbers) / curve.length, 11) + 0.0
     placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
     values = [getattr(spec, option.name) for option in fields(spec) if option.name not in placed]

@@ -1,4 +1,4 @@
-"""The table of a design file for a strip: its curve, its position in space, and its request."""
+"""The table of a design file for a strip: its curve and `length`, its position in space, and its request."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -805,19 +805,22 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
+    """Return the counterclockwise moments (2,) on start and end, 1/mm. None keeps those of `present`."""
     free = [not end.angle for end in supports.ends]
     moments = np.zeros(2)
     if moment is None:
-        # a counterclockwise moment at the start bends the rod to the right, so M changes its sign
+        # a counterclockwise moment at the start bends the rod to the right, so M changes its sign; the angles
+        # of the ends are entries 2 and 5 of `held`
         return np.where(
             (supports.held | present.supports.held)[[2, 5]], 0.0, present.moment[[0, -1]] * (-1.0, 1.0)
         )
     values = as_floats(moment)
     if values is not None and values.shape == ():
-        if free == [True, True]:
+        if all(free):
             raise InputError(
                 "both ends turn freely, so each has its own moment: give both moments, (start, end)"
             )
+        # without a free end, the moment is refused below
         moments[free.index(True) if True in free else 0] = float(values)
     elif values is not None and values.shape == (2,):
         moments[:] = values

@@ -748,7 +748,8 @@ class DiscreteRod:
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
         """Return the constraints on changes of the edge angles, and the terms that are added to the Hessian.
 
-        For an axially elastic rod, terms replace the constraints.
+        `rows` (p, n) are those of `constraint_rows`. For an axially elastic rod, terms replace the constraints.
+        A strain of an edge moves the end along the edge, which adds n columns, as in `brace.rows`.
         """
         brace, terms = self._brace, None
         if self.compression is not None:  # n columns for the angles, and n for the strains

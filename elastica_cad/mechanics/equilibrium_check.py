@@ -1,4 +1,6 @@
-"""Check whether a curve is realizable, and whether other fits of its measured points give the same result."""
+"""Check whether a curve is realizable, with the reasons in words, and whether other fits of its measured points
+give the same result.
+"""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress

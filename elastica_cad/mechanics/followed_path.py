@@ -350,7 +350,8 @@ def followed(
 
     Where an equilibrium is no longer stable, the rod moves into the stable shape that descent of the energy
     finds at this place of the path, and the path continues from there, or ends there if `once`. Without
-    `watched`, unstable equilibria are followed.
+    `watched`, unstable equilibria are followed. `side` is the side of the first bulge of a straight rod; with
+    None, it stays straight.
 
     Raises
     ------
@@ -374,8 +375,10 @@ def followed(
         fault = _fault(visit, moved, side, watched=watched)
         if moved is not None and fault is None:
             visit = moved[0]
+            # after at most 4 steps of Newton's method, the next step is twice as long
             step = width / 2 if near else width * (2 if moved[1] <= 4 else 1)
         elif width > 2 * LOCATED_SHARE:
+            # a solution that is lost may be found with a shorter step, so it does not locate a fault
             step, near = width / 2, fault != "lost"
             continue
         else:

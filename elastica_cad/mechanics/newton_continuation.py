@@ -90,6 +90,8 @@ def correct(
     damping : float
         Smallest accepted fraction of a step. A smaller fraction means that the start is far from the
         solution, and that the result may be on another branch of equilibria.
+    most : int
+        Largest number of steps. The number of steps is returned with the solution.
     """
     current = state
     step = newton_step(current, _residual_beyond(current, kept))

@@ -775,7 +775,10 @@ def examine_curvature(
 
 
 def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Move an unbent start of a closed curve to a bent point. Also return a message about the move."""
+    """Move an unbent start of a closed curve to a bent point. Also return a message about the move.
+
+    `largest` is the largest excess curvature, 1/mm.
+    """
     curve = excess.curve
     # keep the start of a `RestCurvature`, whose arc length is measured from there
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):

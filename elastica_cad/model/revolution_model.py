@@ -491,7 +491,8 @@ class _Request:
         A tab that would be too narrow for the workshop, as at a pole, is as wide as the end of the strip.
         """
         ends = meridian.curve.sample(2)
-        # angles (2,) of the tabs in the plane of the meridian; 0 is away from the axis
+        # angles (2,) of the tabs in the plane of the meridian, 0 is away from the axis; and the distance, mm, from
+        # the first to the last face of the rings
         outward = ends.angle + np.array([np.pi, 0.0])
         steep = np.abs(np.sin(outward))
         lengths, through = np.full(2, RING_TAB_LENGTH), 0.0 if self.rings is None else self.rings.thickness
@@ -505,11 +506,11 @@ class _Request:
         # least distance (2,), mm, of each tab from the axis, where neighbouring tabs are closest
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         # tabs of neighbouring strips are at least 0.5 mm apart
-        gap = 0.5
+        between_tabs = 0.5
         if self.rings is not None:
-            # a bridge is measured along the side of a slot, which is inclined by half the angle between slots
-            # the material between slots is 0.1 mm wider than necessary
-            gap = (
+            # a bridge is measured along the side of a slot, which is inclined by half the angle between slots, and
+            # `between_tabs` across this direction; the material between slots is 0.1 mm wider than necessary
+            between_tabs = (
                 2 * PLAY + (0.1 + self.shop.bridge_for(self.rings)) / float(np.cos(np.pi / self.strips)) ** 2
             )
             inner = [
@@ -517,7 +518,7 @@ class _Request:
                 for r, angle in zip(ends.position[:, 0], outward, strict=True)
             ]
             near = np.minimum(near, inner)
-        room = 2 * np.tan(np.pi / self.strips) * near - gap - self.narrower
+        room = 2 * np.tan(np.pi / self.strips) * near - between_tabs - self.narrower
         first, last = (
             Tab(float(long), width=float(wide) if wide >= self.shop.width_for(self.sheet) else None)
             for long, wide in zip(lengths, room, strict=True)

@@ -1,5 +1,5 @@
-"""Part with two rest shapes, cut from a sheet: thickness, outline, pads, holder, strain, and path between the
-shapes.
+"""Part with two rest shapes, cut from a sheet or printed: thickness and its least value, outline, pads, holder,
+strain, and path between the shapes.
 """
 
 from collections.abc import Iterable, Sequence
@@ -1057,6 +1057,7 @@ def curved_beam_factor(share: FloatArray) -> FloatArray:
     kappa_0 the natural curvature. `share` (n,) is h |kappa_0|. The factor of Winkler's theory is
     about 1 + share / 3.
     """
+    # lengths in units of the radius of the centre line; with 2, the radius of the inner side would be 0
     x = share.clip(1e-3, 1.8)
     inner = 1 - x / 2
     neutral = x / np.log((1 + x / 2) / inner)

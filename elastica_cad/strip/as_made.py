@@ -224,7 +224,10 @@ class Curl:
     factor: BendFactor
 
     def on(self, rod: Rod) -> Rod:
-        """Return `rod` with a stiffness that depends on the curvature and is unchanged in the designed shape."""
+        """Return `rod` with a stiffness that depends on the curvature.
+
+        It is unchanged at the curvatures at which the factor is `designed`.
+        """
         below = rod.law.below if isinstance(rod.law, CurlingLaw) else rod.law
         return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
@@ -263,10 +266,11 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
 
     If the widths are `corrected` for curling, the rod keeps its stiffness in the designed shape. If not, the rod
     is not in equilibrium until its rest shape is computed. The stiffness stays constant for a single sheet
-    whose Poisson ratio is only an estimate.
+    whose Poisson ratio is only an estimate. A rod with another law, or with a section that itself follows the
+    bend, is returned unchanged.
     """
-    sheet = layout.section is None and layout.sheet.poisson_known
-    if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
+    curling_sheet = layout.section is None and layout.sheet.poisson_known
+    if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (curling_sheet or layout.backing):
         return rod
     factor = _curl_factor(rod, layout)
     if factor is None:

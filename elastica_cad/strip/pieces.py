@@ -158,7 +158,10 @@ class FlatShape:
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", signs: tuple[int, int]) -> bool:
-        """Return True if the loops coincide after `other` is mirrored by `signs` and moved onto this shape."""
+        """Return True if the loops coincide after `other` is mirrored by `signs` and moved onto this shape.
+
+        The shapes have equal sizes and counts of loops (see `equals`), so samples of one of them suffice.
+        """
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - signs * middles[1]
         for layer, others in zip(self.layers, other.layers, strict=True):

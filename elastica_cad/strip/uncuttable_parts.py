@@ -229,14 +229,14 @@ def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
 
 
 def _widths_across(
-    points: FloatArray, normals: FloatArray, least: float
+    points: FloatArray, inward: FloatArray, least: float
 ) -> tuple[IntArray, IntArray, FloatArray]:
     """Return index pairs (k,) of points that face each other across the material, and their distances, mm.
 
-    Each point is paired only with the closest point. The normals times `least` are appended to the coordinates,
-    so that one search compares points and normals.
+    Each point is paired only with the closest point. `inward` (n, 2) are unit normals that point into the
+    material. These times `least` are appended to the coordinates, so that one search compares points and normals.
     """
-    here, there = np.hstack([points, least * normals]), np.hstack([points, -least * normals])
+    here, there = np.hstack([points, least * inward]), np.hstack([points, -least * inward])
     # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
     radius = float(least * np.hypot(1, 2 * np.sqrt(1 - LEAST_FACING_COSINE**2)))
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
@@ -244,7 +244,7 @@ def _widths_across(
         across = points[j] - points[i]
         width = norm(across)
         least_along = LEAST_FACING_COSINE * width
-        ahead = (dot(across, normals[i]) > least_along) & (dot(across, normals[j]) < -least_along)
+        ahead = (dot(across, inward[i]) > least_along) & (dot(across, inward[j]) < -least_along)
         facing = np.flatnonzero(ahead & (width < (1 - 1e-9) * least))
         narrowest = facing[_narrowest(i[facing], width[facing])]
         pairs.append((i[narrowest], j[narrowest], width[narrowest]))
