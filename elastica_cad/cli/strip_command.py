@@ -147,7 +147,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     ["nearest_curve", "max_width"],
                 )
             spec = spec_from_options(requested.curve, requested.label, table, read_once)
-            if "label" in table:
+            if table.get("label"):
                 spec = spec.changed(label=f"{spec.label}{requested.drawn.suffix}")
             if splits:
                 spec = clamped_at(requested.drawn.joints, spec)
