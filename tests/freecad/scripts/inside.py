@@ -474,13 +474,14 @@ def live_at_rest():
 
 
 def press_on_card(part):
-    """A button of the verdict in the panel Tasks, by the mouse."""
+    """A button or check box of the verdict in the panel Tasks, by the mouse on its words."""
     from freecad.elastica_wb.live import session as live
 
     widget = getattr(live.session().card, part)
     until(lambda: widget.isVisible() and widget.isEnabled())
     scroll_to(widget)
-    click(widget)
+    # a check box may be wider than its words, and takes no clicks beside them
+    click(widget, at=QtCore.QPoint(min(widget.sizeHint().width(), widget.width()) // 2, widget.height() // 2))
 
 
 def drag(start, steps, shift, name="", grab=lambda: None):
