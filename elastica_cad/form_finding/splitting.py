@@ -24,6 +24,9 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
 
+MOST_STRIPS = 1000
+"""Largest number of strips into which a curve can be split."""
+
 _SHORTEST_SHARE = 1e-4  # parameter range below which a part counts as empty, as a fraction of the whole range
 # number of positions that are tried for each support, between its first and its last possible position
 _CHOICES = 5
@@ -123,13 +126,14 @@ def split(
     cut = _Cut(curve, ratio, require_supports(supports), _parameters(curve, places), tolerance)
     latest = _forwards(cut)
     ranges = [(min(a, b), b) for a, b in zip(_earliest(cut, latest), latest, strict=True)]
-    if count is not None and not (is_whole(count) and count > len(latest)):
+    least = len(latest) + 1
+    if count is not None and not (is_whole(count) and least <= count <= MOST_STRIPS):
         raise InputError(
-            "The curve cannot be split into {count} strips. Split it into a whole number of strips, at least "
-            "{least}.",
-            count=quoted(count), least=len(latest) + 1,
+            "The curve cannot be split into {count} strips. Split it into a whole number of strips, {least} to "
+            "{most}.",
+            count=quoted(count), least=least, most=MOST_STRIPS,
         )  # fmt: skip
-    more = (count or len(latest) + 1) - len(latest) - 1
+    more = (count or least) - least
     # with more supports, each support can be earlier and later
     low, high = curve.domain
     first, last = [low] * more + [a for a, _ in ranges], [b for _, b in ranges] + [high] * more

@@ -239,15 +239,13 @@ def _bend_legs(rod: Rod, change: Change) -> tuple[Leg, ...]:
     """
     require_rod(rod, "bend", "Rod.straight")
     rod = rod.following()
-    gravity, side = change.gravity, change.side
+    gravity = change.gravity
     start = rod.position[0] if change.start is None else change.start
     end = rod.position[-1] if change.end is None else change.end
     if change.samples is not None and not is_one_of(change.samples, [rod.s.size]):
         rod = resample(rod, change.samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
         raise InputError(f'gravity is {gravity!r}: give a Gravity record, None or "keep"')
-    if not is_one_of(side, (None, 1, -1)):
-        raise InputError(f"side is {side!r}: give +1 to bend the rod to the left first, -1 to the right")
     whole_number(change.mode, "mode", 1)
     if not isinstance(gravity, str) and np.ptp(rod.discrete.angles) <= STRAIGHT_RAD:
         rod = replace(rod, gravity=gravity)  # a straight rod has no rest shape that its weight could change
@@ -460,6 +458,8 @@ def first_visit(
     segment: Segment, visit: Visit, side: int | None, mode: int = 1
 ) -> tuple[Visit | Event, int | None]:
     """Return the first equilibrium of a path, and the side to which a straight rod buckles on the way."""
+    if not is_one_of(side, (None, 1, -1)):
+        raise InputError(f"side is {side!r}: give +1 to bend the rod to the left first, -1 to the right")
     final, state = segment.last, visit.state
     # True if the ends are as far apart as the rod is long, so that it must be straight
     long = bool(final.held) and np.linalg.norm(final.chord) > final.length * (1 - 1e-12)

@@ -53,9 +53,10 @@ def test_fifty_perforated_strips_rest_where_they_should():
     found = np.array([judged(*strip) for strip in perforated()])
     shape, place, force = found.max(axis=0)
     assert len(found) == 50
-    assert shape < 1e-5  # of the length; asked is 1e-4
-    assert place < 5e-5  # of the chord; asked is 5e-3
-    assert force < 1e-3  # of the largest end force; asked is 1e-2
+    # as asked; without the level ends of the sides, up to 0.01 mm, they are 3e-6, 1.1e-5 and 3.2e-4
+    assert shape < 1e-4  # of the length
+    assert place < 5e-3  # of the chord
+    assert force < 1e-2  # of the largest end force
 
 
 def imbalance(rod, section):
