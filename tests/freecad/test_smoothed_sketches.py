@@ -89,7 +89,8 @@ def follow(document: Any, drawn: Any, move_pole: Any, moves: np.ndarray, **optio
         assert dimension.getRawValue() == pytest.approx(np.ptp(core.outline.bounds[:, 0]), abs=1e-4)
         for body in (part, made):
             assert body.Shape.isValid()
-            assert body.Shape.Volume == pytest.approx(core.area * core.sheet.thickness, rel=1e-6)
+            # OpenCASCADE integrates the short spans of level ends roughly
+            assert body.Shape.Volume == pytest.approx(core.area * core.sheet.thickness, rel=1e-4)
         top = max(part.Shape.Faces, key=lambda face: face.CenterOfMass.z)
         larger, smaller = top.makeOffset2D(0.1), top.makeOffset2D(-0.1)
         assert smaller.Area < top.Area < larger.Area
