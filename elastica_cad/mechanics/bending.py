@@ -610,7 +610,6 @@ def places_of(legs: Sequence[Leg], steps: int) -> tuple[Place, ...]:
 
     A straight rod is listed from its first bent shape on.
     """
-    whole_number(steps, "steps", 1)
     first = ((0, 0.0),) if steps > 1 and legs[0].path.visits[0].t == 0 else ()
     places = ((k, j / steps) for k in range(len(legs)) for j in range(1, steps + 1))
     return (*first, *(place for place in places if place[1] >= legs[place[0]].path.visits[0].t))

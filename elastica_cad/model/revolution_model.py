@@ -491,10 +491,10 @@ class _Request:
         A tab that would be too narrow for the workshop, as at a pole, is as wide as the end of the strip.
         """
         ends = meridian.curve.sample(2)
-        # angles (2,) of the tabs in the plane of the meridian, 0 is away from the axis; and the distance, mm, from
-        # the first to the last face of the rings
+        # angles (2,) of the tabs in the plane of the meridian; 0 is away from the axis
         outward = ends.angle + np.array([np.pi, 0.0])
         steep = np.abs(np.sin(outward))
+        # lengths (2,) of the tabs, mm, and the distance from the first to the last face of the rings
         lengths, through = np.full(2, RING_TAB_LENGTH), 0.0 if self.rings is None else self.rings.thickness
         if self.rings is not None and self.gap is not None:
             through += self.gap + self.rings.thickness

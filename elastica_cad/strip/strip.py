@@ -595,7 +595,7 @@ class Strip:
 
         `rod` is `rod_to_bend`, or the result of `bend` for it. The new strip can be bent further from this shape.
         """
-        # not `replace`: the fields are checked already, and the cached properties of the design are kept
+        # not `replace`, because the fields are checked already
         bent = object.__new__(type(self))
         vars(bent).update({field.name: getattr(self, field.name) for field in fields(self)})
         # the layout is that of the design; the shape without loads is not computed for a step, and `rod` keeps its

@@ -13,6 +13,7 @@ from elastica_cad.errors import Degrees, Force, InputError, Length, Refusal, not
 from elastica_cad.geometry.plane_points import dot, norm, unit
 from elastica_cad.mechanics.bending import Leg, Place, as_steps, path_legs, places_of
 from elastica_cad.mechanics.followed_path import Event
+from elastica_cad.mechanics.loads import whole_number
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability, stability
@@ -397,6 +398,7 @@ def bend_strip(
     (2.6, None)
     """
     require_record(strip, Strip, "what is bent", "a Strip")
+    whole_number(steps, "steps", 1)
     legs = path_legs(strip.rod_to_bend, path, side=side)
     if not legs:
         raise InputError("the path is empty: give the positions to which the end is moved")
