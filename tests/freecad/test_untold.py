@@ -49,5 +49,5 @@ def test_what_is_easily_overlooked_is_reported(tmp_path):
     assert [found["closed with its document"], found["buttons left"]] == [True, False]
     assert found["the other's step"], "what is begun in another document is not taken back"
     text, hidden, _ = found["deleted"]
-    assert text == "The edited object was deleted. Press Cancel."
+    assert text.splitlines()[0] == "The edited object was deleted. Press Cancel."
     assert not hidden

@@ -70,6 +70,10 @@ def formula(document, strip):
     wait(500)
     mouse("type", "--delay", 20, "--", "Table.A1 * 1")
     keys("Return")
+    # in FreeCAD 1.1, this key chooses from the list of names
+    for editor in [one for one in QtWidgets.QApplication.topLevelWidgets() if one.isVisible()]:
+        if editor.objectName() == "DlgExpressionInput":
+            click(next(one for one in editor.findChildren(QtWidgets.QPushButton) if one.text() == "OK"))
     until(lambda: document.Fixtures.ExpressionEngine, 5)
     picture("formula.png")
     button()
