@@ -1,6 +1,7 @@
 """The verdict on an open sketch: a headline over the view, reason and buttons in the panel Tasks."""
 
 import sys
+import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -78,6 +79,7 @@ def seen(card):
 def work():
     window()
     document = begun("Card")
+    from freecad.elastica_wb.host.progress import begun as in_thread
     from freecad.elastica_wb.live import observers
     from freecad.elastica_wb.live import session as live
 
@@ -92,6 +94,8 @@ def work():
         return drawn, live.session().card
 
     answers["verdicts"] = {}
+    for _ in range(2):  # both threads are busy, so that the first search is seen
+        in_thread(time.sleep, 5)
     for name, points in IMPOSSIBLE.items():
         drawn, card = opened(points, name.title())
         if "searching" not in answers:

@@ -31,8 +31,8 @@ WIDTH_FRACTION = 0.45
 LOOKED_MS = 100
 # distance, pixels, of the box from the sides of its panel
 SIDE_PX = 8
-MESSAGES = "SketcherGui::TaskSketcherMessages"
-"""Class of the sketcher's messages in the panel *Tasks*."""
+MESSAGES, UPDATE = "SketcherGui::TaskSketcherMessages", "manualUpdate"
+"""Class of the sketcher's messages in the panel *Tasks*, and the name of a button in them."""
 
 
 class VerdictCard(QtCore.QObject):
@@ -112,12 +112,15 @@ class VerdictCard(QtCore.QObject):
         if self._layout is not None:
             self._layout.addWidget(self.box)
             return
-        for widget in Gui.getMainWindow().findChildren(QtWidgets.QWidget):
-            if widget.metaObject().className() == MESSAGES:
-                panel = widget.parentWidget()
-                self._viewport, layout = panel.parentWidget(), panel.layout()
-                self._viewport.installEventFilter(self)
-                layout.insertWidget(layout.indexOf(widget) + 1, self.box, 0, QtCore.Qt.AlignLeft)
+        # PySide crashes on some of FreeCAD's widgets, so that only this one is looked at
+        widget = Gui.getMainWindow().findChild(QtWidgets.QAbstractButton, UPDATE)
+        while widget is not None and widget.metaObject().className() != MESSAGES:
+            widget = widget.parentWidget()
+        if widget is not None:
+            panel = widget.parentWidget()
+            self._viewport, layout = panel.parentWidget(), panel.layout()
+            self._viewport.installEventFilter(self)
+            layout.insertWidget(layout.indexOf(widget) + 1, self.box, 0, QtCore.Qt.AlignLeft)
 
     def _fit(self) -> None:
         """Set the size of the box for its texts. In FreeCAD 0.20, the sketcher's panel is wider than its view."""
