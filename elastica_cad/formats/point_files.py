@@ -484,10 +484,10 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
     parts += [8 for cell in inches if cell.count("-") > 1]
     # half a unit of the finest fraction or of the last digit; more cells would be slow
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:20_000])
-    # tables in inches, tables of offsets and coarse numbers count as measured with a ruler: their rounding is noise
-    with_ruler = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
-    # root mean square of an error that is uniform within +-rounded
-    noise = rounded / np.sqrt(3) if with_ruler else 0.0
+    # tables in inches, tables of offsets and coarse numbers count as measured with a ruler: their rounding is a
+    # noise, with the root mean square of an error that is uniform within +-rounded
+    measured = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
+    noise = measured * rounded / np.sqrt(3)
     curves: list[DrawnCurve] = []
     closed: list[str] = []
     for name, rows in table.columns:
@@ -520,15 +520,16 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
     return DrawnFile(file, curves, unit=replace(known, note=table.note or known.note), remarks=tuple(remarks))
 
 
+# coordinates that are too large are refused later, with the name of their curve
+@np.errstate(all="ignore")
 def _outline_of(points: FloatArray) -> FloatArray:
     """Return points (n, 2), with the first one repeated at the end if they go round without a larger gap."""
     closed = np.concatenate([points, points[:1]])
     if not is_closed(closed):
         return points
     before, gap, after = norm(np.diff(np.concatenate([closed[-3:], closed[1:2]]), axis=0))
-    is_turned = {len(points) - 1, len(points)} & {*corner_points(closed)}
-    is_gap = gap > LARGEST_GAP * min(before, after) or gap * LARGEST_GAP < max(before, after)
-    return points if is_turned or is_gap else closed
+    has_gap = gap > LARGEST_GAP * min(before, after) or gap * LARGEST_GAP < max(before, after)
+    return points if has_gap or max(corner_points(closed), default=0) >= len(points) - 1 else closed
 
 
 def read_path_points(file: Path) -> FloatArray:

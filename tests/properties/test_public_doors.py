@@ -29,7 +29,7 @@ INNER = {
     "PlainSection.strains", "PlaneCurve.basis", "PlaneCurve.derivatives",
     "SmoothJoints.equations",
     "Strip.breadth", "TSlot.side", "Tab.depth_at", "TabSeat.bends", "TabSeat.gaps", "TabSeat.moved",
-    "TabSeat.slopes",
+    "TabSeat.slopes", "Travel.words",
 }  # fmt: skip
 """What the house calls in its loops with what it has checked."""
 

@@ -194,8 +194,9 @@ def lost(file: Path) -> tuple[str, list[str]]:
     scale = conversion_factor(unit, 4) if unit else {"mm": 1.0, "in": 25.4}[found.unit.name]
     places = [np.array([[math.inf, math.inf]])]
     for one, curve in curves:
-        if curve is None:  # its problem is a note
-            places += [edge.at(edge.stations(400))[:, :2] for edge in one.chain]
+        # as they stand in the file: a curve may have a problem, which is a note, or a slanted plane of its own
+        places += [edge.at(edge.stations(400))[:, :2] for edge in one.chain]
+        if curve is None:
             continue
         places.append(curve.sample(2001).position)
         holes = curve.provenance.holes if curve.provenance else ()

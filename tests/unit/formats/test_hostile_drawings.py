@@ -176,6 +176,9 @@ def test_counts_and_sizes_in_json_and_csv(tmp_path):
         refused(tmp_path / "a.json", "curve 1|JSON")
     (tmp_path / "a.csv").write_text("0, 0\n1e200, 5\n1e201, 9\n")
     refused(tmp_path / "a.csv", r"not between -1e\+10 and 1e\+10 mm")
+    around = [f"{40 * np.cos(t)}, {40 * np.sin(t)}" for t in np.arange(0, 6.2, 0.3)]
+    (tmp_path / "a.csv").write_text("\n".join((*around[:9], "1e200, -1e308", *around[10:])))
+    refused(tmp_path / "a.csv", r"not between -1e\+10 and 1e\+10 mm")
     (tmp_path / "a.csv").write_text("\n".join(f"{x}, 0.{x}" for x in range(13000)))
     refused(tmp_path / "a.csv", "has 13000 points in one curve")
 
