@@ -41,6 +41,7 @@ FLOORS = (
     "paper",
 )
 FRONT_ENDS = ("build123d", "cadquery")
+OF_BUILD123D = ("rotation", "align", "mode")  # passed on as they are, so it refuses them in its own words
 LONGEST_S, MOST_MIB = 10, 1536
 NONSENSE = (
     None, True, "", "x", b"x", -1, 0, 10**400, -1e-300, 1e300, float("nan"), float("inf"), 1j, object(), object,
@@ -116,7 +117,7 @@ def nonsense_call(value, sound, dice):
     if inspect.isclass(value) or isinstance(getattr(value, "__self__", None), type):
         given.pop("self", None), given.pop("cls", None)
     known = [one.name for one in named if one.name in given and one.name != "self"]
-    free = [one.name for one in named if one.name != "self"]
+    free = [one.name for one in named if one.name not in ("self", *OF_BUILD123D)]
     odd = {
         name: dice.choice(NONSENSE)
         for name in dice.sample(free, min(len(free), dice.choice((1, 1, 1, 2, 3))))

@@ -1,5 +1,7 @@
 """Formulae: arithmetic and nothing else."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -102,3 +104,15 @@ def test_names_of_functions_and_constants_do_not_clash():
     for name, (function, count) in FUNCTIONS.items():
         arguments = ", ".join(["0.5"] * count)
         assert Formula(f"{name}({arguments})")() == pytest.approx(float(function(*[0.5] * count)))
+
+
+def test_functions_take_as_many_arguments_as_those_of_python():
+    """A wrong number of arguments is refused before anything is computed."""
+    alike = {name: getattr(math, name) for name in FUNCTIONS if hasattr(math, name)} | {"abs": abs}
+    assert len(alike) > 10
+    for name, function in alike.items():
+        counts = {"atan2": 2, "hypot": 2}
+        count = counts.get(name, 1)
+        assert Formula(f"{name}({', '.join(['0.5'] * count)})")() == pytest.approx(function(*[0.5] * count))
+        with pytest.raises(InputError, match=f"{name} takes {count} argument"):
+            Formula(f"{name}({', '.join(['0.5'] * (count + 1))})")

@@ -20,6 +20,7 @@ from elastica_cad import (
 )
 from elastica_cad.mechanics import Rod
 from elastica_cad.model import BasePlate, EndFixture, PlacedTab, base_plate, end_fixtures
+from elastica_cad.model.assembly import engraved_marks
 from elastica_cad.model.fixtures import crowded_blocks
 from elastica_cad.model.plates import TabSlot
 from elastica_cad.strip import FlatSolid
@@ -323,3 +324,11 @@ def test_a_floor_far_below_a_block_is_reported(arch):
     assert message.severity == "warning"
     assert message.values["height"] == pytest.approx(far.size[2])
     assert message.values["extra"] == pytest.approx(near.lowest + 800)
+
+
+def test_printed_blocks_are_named_even_where_nothing_is_engraved(arch):
+    """A cutting service engraves nothing, but a block is printed."""
+    ring = standing(replace(arch, unmarked=True), 0.0)
+    (told,) = engraved_marks(ring, end_fixtures(ring.placed))
+    assert told == "Each block has the name of its end, such as A:1."
+    assert not list(engraved_marks(ring, []))
