@@ -1,10 +1,11 @@
-"""Single-stroke alphabet for engraving; its letters consist of lines and arcs."""
+"""Single-stroke alphabet for engraving; its Latin, Greek and Cyrillic letters consist of lines and arcs."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
 from pathlib import Path as FilePath
+from typing import Any
 from unicodedata import combining, normalize
 
 import numpy as np
@@ -34,7 +35,7 @@ class Text:
     position : pair of float
         Left end of the baseline, mm.
     text : str
-        Text of letters A-Z and a-z, digits and common punctuation.
+        Text of Latin, Greek and Cyrillic letters without accents, digits and common punctuation.
     height : float
         Height of capital letters, mm.
     angle : float
@@ -80,13 +81,13 @@ def require_engravable(text: object) -> None:
     missing = sorted(set(text) - _glyphs().keys())
     if missing:
         raise InputError(
-            f"text {text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; use A-Z, "
-            "a-z, 0-9 and common punctuation"
+            f"text {text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; use Latin, "
+            "Greek or Cyrillic letters without accents, 0-9 and common punctuation"
         )
 
 
 def engravable(text: str) -> str:
-    """Return the text without accents, with underscores for characters that the alphabet lacks.
+    """Return the text without accents that the alphabet lacks, and with underscores for other characters.
 
     Examples
     --------
@@ -97,14 +98,19 @@ def engravable(text: str) -> str:
 
 
 def _without_accents(text: str) -> str:
-    return "".join(c for c in normalize("NFKD", text.replace("ß", "ss")) if not combining(c))
+    return "".join(
+        part
+        for c in normalize("NFC", text)
+        for part in (c if c in _glyphs() else normalize("NFKD", c))
+        if not combining(part)
+    )
 
 
 def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None) -> dict[str, str]:
     """Return the text that is engraved for each name: the name itself, or a number.
 
-    A name has a number if the alphabet lacks one of its letters, or if an earlier name or a given text is equal
-    without its accents. No number is the text of another name. `given` maps names to texts that are engraved in
+    A name has a number if the alphabet lacks one of its letters, or if an earlier name or a given text looks the
+    same when it is engraved. No number looks like another name. `given` maps names to texts that are engraved in
     place of a number.
 
     Examples
@@ -112,17 +118,21 @@ def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None)
     >>> engraved_names(["Träger", "左", "2", "右", "Trager"])
     {'Träger': 'Träger', '左': '1', '2': '2', '右': '3', 'Trager': '4'}
     """
-    texts = {name: _without_accents(name) for name in names}
+
+    def shape(text: str) -> tuple[Any, ...]:
+        return tuple(map(_glyphs().get, text))
+
     given = given or {}
-    seen = set(given.values())
-    taken = seen.union(texts.values())
-    numbers = (str(number) for number in count(1) if str(number) not in taken)
+    shapes = {name: shape(_without_accents(name)) for name in names}
+    seen = {shape(text) for text in given.values()}
+    taken = seen.union(shapes.values())
+    numbers = (str(number) for number in count(1) if shape(str(number)) not in taken)
     engraved = {}
-    for name, text in texts.items():
+    for name, letters in shapes.items():
         # a name of accents only has no letters left
-        legible = text not in seen and _glyphs().keys() >= set(text) and bool(text) == bool(name)
+        legible = letters not in seen and None not in letters and bool(letters) == bool(name)
         engraved[name] = name if legible else given.get(name) or next(numbers)
-        seen.add(text)
+        seen.add(letters)
     return engraved
 
 
@@ -235,7 +245,9 @@ def _glyphs() -> dict[str, tuple[float, str]]:
     import tomllib
 
     text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")
-    return {character: (width, code) for character, (width, code) in tomllib.loads(text).items()}
+    table = tomllib.loads(text)
+    # some entries are the letter with the same strokes
+    return {c: tuple(table[entry] if isinstance(entry, str) else entry) for c, entry in table.items()}
 
 
 @lru_cache(maxsize=256)
