@@ -37,7 +37,7 @@ from elastica_cad.cli.requested_curves import (
 )
 from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import spec_from_options, with_settings
-from elastica_cad.cli.voice import answer, say, say_rows, wrote
+from elastica_cad.cli.voice import answer, say, say_rows, voice, wrote
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_request import (
     SOLVED,
@@ -187,6 +187,12 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     strip acts too. A rail or pin at a point beside the strip, at most 5 % of its length away, moves the strip
     there. With --rod or --even, the strip is the even bow with the length and ends of CURVE, as in `elastica
     bow`.
+
+    The printed table has a line for each shape. travel is the path of the end relative to the start, turn the
+    rotation of an end, load the sum of the new loads, and sag the largest movement under them. Forces are those
+    of the supports on the ends, along x and y of the drawing, and moments are counterclockwise. strain is the
+    largest strain of the surface, safety the strain limit divided by it. start and end deg are the directions of
+    the strip at its ends. stability says whether the shape stays when it is touched.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(
@@ -259,6 +265,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     }  # fmt: skip
     start_deg, end_deg = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
     say(*printed_table(columns | {"start_deg": start_deg, "end_deg": end_deg, "stability": states}))
+    if voice().verbose:
+        say_rows(Row("Table", " ".join(str(bend_command.help).rpartition("\n\n")[2].split())))
     say_rows(*_rows(rod, legs, shapes, states, moved, change))
     B = 1.0 if strip is None else strip.bending_stiffness
     reports = [_shape_report(*pair, B) for pair in zip(shapes, verdicts, strict=True)]

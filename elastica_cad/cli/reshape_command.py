@@ -69,7 +69,7 @@ def reshape(
     The map is projective: lines stay lines. So inflections on a line stay on a line, and if a strip can take the
     curve, a strip can take the new curve. Other corners stay in place. Writes NAME-reshaped.dxf (exact splines with
     weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 if no strip can take a curve, which no
-    such map changes.
+    such map changes; 2 if a curve cannot be read and is left out, which a line says.
     """
     refuse_idle({}, {"handles": CORNERS})
     drawing, chosen = drawn_curves(curve, unit, number, layer)

@@ -109,8 +109,8 @@ def write_curves(
         held = [_read_again(chain) for chain in shaped]
     written = write_atomically(path, content, force)
     for number, (drawn, fitted) in enumerate(zip(curves, held, strict=True), start=1):
-        if fitted is not drawn:
-            warnings.warn(_fit_note(Path(path).name, number, drawn, fitted), FitWarning, stacklevel=2)
+        if fitted is not drawn and (told := _fit_note(Path(path).name, number, drawn, fitted)):
+            warnings.warn(told, FitWarning, stacklevel=2)
     return written
 
 
@@ -128,7 +128,8 @@ def _edge(segment: Line | Arc | Spline) -> Edge:
     return Edge(curve.knots, curve.control_points, curve.degree, curve.weights)
 
 
-def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
+def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal | None:
+    """Return a warning about a copy that differs from its curve, or None for differences that no one can cut."""
     far = Length(two_sided_distance(drawn, fitted))
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:
@@ -140,11 +141,13 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
             "cannot take this copy. Use JSON, which stores the exact curve.",
             file=file, number=number, far=far, severity="warning",
         )  # fmt: skip
+    change = Length(float(np.abs(after - before).max()))
+    if max(far, change) < _TOLERANCE_MM:
+        return None
     return note(
         "The copy of curve {number} in {file} differs from the curve by up to {far:.2g}. The widths of a "
         "{widest} wide strip change by up to {change:.2g}.",
-        file=file, number=number, far=far, widest=Length(UNKNOWN_WIDTH),
-        change=Length(float(np.abs(after - before).max())), severity="warning",
+        file=file, number=number, far=far, widest=Length(UNKNOWN_WIDTH), change=change, severity="warning",
     )  # fmt: skip
 
 
