@@ -80,7 +80,8 @@ class KitContents:
             (nest.sheet.full_name, nest.sheet_size) for nest in self.nests if nest.sheet is not None
         )
         bought = (Stock(*kind, count) for kind, count in sheets.items())
-        return replace(listed, stock=(*bought, *_rods_to_buy(self.pieces, self.spec)))
+        stock = (*bought, *_rods_to_buy(self.pieces, self.spec))
+        return replace(listed, stock=stock, price=self.spec.nesting.price)
 
     @property
     def blocks(self) -> list[EndFixture]:

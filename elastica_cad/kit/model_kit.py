@@ -180,9 +180,14 @@ def model_kit(
     files.append(File(json, lambda path: write_json(path, report), "report"))
     files.append(File(page, lambda path: write_text(path, _start_page(contents, report)), "this page"))
     if archives:
-        # one archive has the files to cut or print, every part once; the other has all files except DXF and STL
+        # one archive has the cut list and the files to cut or print, every part once; the other has all files
+        # except DXF and STL
         names, place = [file.name for file in files], PARTS if cutting.service else SHEETS
-        cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
+        cut = [
+            name
+            for name in names
+            if name in (csv, txt) or Path(name).match(f"{place}/*.dxf") or name.endswith(".stl")
+        ]
         viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
         files += (
             File(

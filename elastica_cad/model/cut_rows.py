@@ -18,7 +18,7 @@ from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece
 CSV_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
     "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}",
-    "cut_length_mm": "{0.cut_length:.1f}",
+    "cut_length_mm": "{0.cut_length:.1f}", "pierces": "{0.pierces}", "area_cm2": "{0.area:.1f}",
     "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}", "color": "{0.color}",
     "height_mm": "{0.thickness:.2f}", "engraved_number": "{0.number}",
 }  # fmt: skip
@@ -27,7 +27,8 @@ CSV_COLUMNS = {
 TABLE_COLUMNS = {
     "part": "{0.called}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}",
     "size mm": "{0.length:.1f} x {0.width:.1f}", "count": "{0.count}", "cut mm": "{0.cut_length:.0f}",
-    "g": "{0.mass:.2f}", "grain": "{0.grain}", "shape as": "{0.like}", "color": "{0.color}", "file": "{0.file}",
+    "pierces": "{0.pierces}", "cm2": "{0.area:.1f}", "g": "{0.mass:.2f}", "grain": "{0.grain}",
+    "shape as": "{0.like}", "color": "{0.color}", "file": "{0.file}",
 }  # fmt: skip
 """Columns of the printed table, with the format of each value."""
 
@@ -40,13 +41,14 @@ BLOCK_COLUMNS = {
 
 @dataclass(frozen=True)
 class CutListRow:
-    """Row of the cut list. Lengths are in mm, masses in g. `cut_length` and `mass` are those of a single piece.
+    """Row of the cut list. Lengths are in mm, areas in cm2, masses in g.
 
-    `grain` is the direction of `length` relative to the grain, or "" for material without grain. `like` is the
-    name of the first piece with the same shape (possibly turned or flipped) but another engraving. `color` is
-    the colour of the piece in pictures and STEP files, as "#rrggbb". `number` is the number that is engraved in
-    place of the name, or "" if there is none. For a printed block, `thickness` is the
-    height, and `cut_length` and `mass` are 0.
+    `cut_length`, `pierces` (the number of cuts), `area` and `mass` are those of a single piece. `grain` is the
+    direction of `length` relative to the grain, or "" for material without grain. `like` is the name of the first
+    piece with the same shape (possibly turned or flipped) but another engraving. `color` is the colour of the
+    piece in pictures and STEP files, as "#rrggbb". `number` is the number that is engraved in place of the name,
+    or "" if there is none. For a printed block, `thickness` is the height, and `cut_length`, `pierces`, `area` and
+    `mass` are 0.
     """
 
     part: str
@@ -58,6 +60,8 @@ class CutListRow:
     cut_length: float
     mass: float
     file: str
+    pierces: int = 0
+    area: float = 0.0
     grain: str = ""
     like: str = ""
     color: str = ""
@@ -108,11 +112,14 @@ class CutList:
         Blocks to be printed. The totals `count`, `shapes`, `cut_length` and `mass` do not include printed blocks.
     stock : tuple of Stock
         Sheets and rods to buy, if the list belongs to a kit.
+    price : (float, float), optional
+        Price of a sheet, and of a metre of cuts.
     """
 
     rows: tuple[CutListRow, ...]
     printed: tuple[CutListRow, ...] = ()
     stock: tuple[Stock, ...] = ()
+    price: tuple[float, float] | None = None
 
     @property
     def count(self) -> int:
@@ -130,6 +137,21 @@ class CutList:
         return sum(row.count * row.cut_length for row in self.rows)
 
     @property
+    def pierces(self) -> int:
+        """Number of all cuts."""
+        return sum(row.count * row.pierces for row in self.rows)
+
+    @property
+    def area(self) -> float:
+        """Area of all pieces, cm2."""
+        return sum(row.count * row.area for row in self.rows)
+
+    @property
+    def sheets(self) -> int:
+        """Number of sheets to buy."""
+        return sum(item.count for item in self.stock if len(item.size) == 2)
+
+    @property
     def mass(self) -> float:
         """Mass of all pieces, g."""
         return sum(row.count * row.mass for row in self.rows)
@@ -144,7 +166,7 @@ class CutList:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(CSV_COLUMNS)
         # pieces have no height, and the mass of printed blocks depends on the printer
-        no_cut = ("thickness_mm", "cut_length_mm", "mass_g")
+        no_cut = ("thickness_mm", "cut_length_mm", "pierces", "area_cm2", "mass_g")
         for rows, empty in ((self.rows, ("height_mm",)), (self.printed, no_cut)):
             for row in _texts(rows, CSV_COLUMNS, empty):
                 writer.writerow(f"'{text}" if text.startswith(tuple("=+-@\t\r")) else text for text in row)
@@ -162,16 +184,22 @@ class CutList:
     def __str__(self) -> str:
         # the totals of the list have the names of the fields of a row
         sums = [
-            TABLE_COLUMNS[name].format(self) if name in ("count", "cut mm", "g") else ""
+            TABLE_COLUMNS[name].format(self) if name in ("count", "cut mm", "pierces", "cm2", "g") else ""
             for name in TABLE_COLUMNS
         ]
         pieces = [[*TABLE_COLUMNS], *_texts(self.rows, TABLE_COLUMNS), ["in all", *sums[1:]]]
-        parts = [_table(pieces, right=(2, 3, 4, 5, 6), lines=(1, len(pieces) - 1))]
+        parts = [_table(pieces, right=range(2, 9), lines=(1, len(pieces) - 1))]
         if self.stock:
             rows = [
                 line for item in self.stock for line in (str(item), *(f"    {each}" for each in item.sawn))
             ]
             parts.append("\n".join(["to buy", *rows, ""]))
+        if self.price is not None:
+            (sheet, metre), metres = self.price, self.cut_length / 1000
+            parts.append(
+                f"price {sheet * self.sheets + metre * metres:.2f}: {counted(self.sheets, 'sheet')} at {sheet:g}, "
+                f"{metres:.2f} m of cuts at {metre:g}\n"
+            )
         if self.printed:
             blocks = [[*BLOCK_COLUMNS], *_texts(self.printed, BLOCK_COLUMNS)]
             parts.append(_table(blocks, right=(1, 2, 3), lines=(1,)))
@@ -184,7 +212,9 @@ def _texts(
     # a rod is sawn, so it has no length of cuts
     return [
         [
-            "" if name in empty or (name == "cut mm" and not row.cut_length) else text.format(row)
+            ""
+            if name in empty or (name in ("cut mm", "pierces") and not row.cut_length)
+            else text.format(row)
             for name, text in columns.items()
         ]
         for row in rows
@@ -218,6 +248,8 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
                 0.0 if piece.is_rod else piece.cut_length,
                 piece.mass,
                 f"{stem}.dxf",
+                0 if piece.is_rod else len(piece.drawing.on(CUT_INNER, CUT_OUTER)),
+                piece.area / 100,
                 "" if piece.is_rod or piece.sheet.grain == "none" else piece.sheet.grain,
                 _equal_piece(piece, shapes, first_names),
                 hex_color(sheet_color(piece.sheet)),

@@ -22,13 +22,17 @@ FIT_TOLERANCE_MM = 1e-9
 
 @dataclass(frozen=True)
 class Nesting:
-    """Size of the sheets (width, height) and least distance between pieces, mm."""
+    """Size of the sheets (width, height) and least distance between pieces, mm, and prices."""
 
     sheet_size: Annotated[tuple[float, float], Option("Width and height of the sheets.", "mm", above=0)] = (
         600.0,
         400.0,
     )
     margin: Annotated[float, Option("Least distance between parts.", "mm", least=0)] = 2.0
+    price: Annotated[
+        tuple[float, float] | None,
+        Option("Price of a sheet, and price of a metre of cuts; the cut list gives the sum.", least=0),
+    ] = None
 
     def __post_init__(self) -> None:
         require_declared(Nesting, vars(self))

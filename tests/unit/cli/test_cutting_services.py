@@ -71,7 +71,7 @@ def test_a_kit_for_a_service_holds_parts_alone_and_packs_what_is_cut(tmp_path):
         assert kinds <= {("LWPOLYLINE", "CUT_"), ("CIRCLE", "CUT_")}
         assert parts[0] in (out / "kit-cut-list.txt").read_text()
     with zipfile.ZipFile(out / "kit-cut.zip") as cut, zipfile.ZipFile(out / "kit-look.zip") as seen:
-        assert sorted(cut.namelist()) == parts
+        assert sorted(cut.namelist()) == ["kit-cut-list.csv", "kit-cut-list.txt", *parts]
         assert cut.read(parts[0]) == (out / parts[0]).read_bytes()
         assert {"index.html", "kit-cut-list.txt"} <= set(seen.namelist())
         assert not {*seen.namelist()} & {*parts}

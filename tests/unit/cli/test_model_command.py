@@ -659,13 +659,24 @@ def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
 def test_the_cut_list_says_how_many_sheets_to_buy(tmp_path):
     (tmp_path / "kit.toml").write_text(DESIGN.replace("count = 2", "count = 3"))
     message = cut_only(
-        tmp_path / "kit.toml", tmp_path / "out", "nest.sheet_size=[450, 60]", "base.sheet_size=[500, 500]"
-    )
+        tmp_path / "kit.toml", tmp_path / "out", "nest.sheet_size=[450, 60]", "base.sheet_size=[500, 500]",
+        "nest.price=[12.5, 0.8]",
+    )  # fmt: skip
     listed = (tmp_path / "out" / "kit-cut-list.txt").read_text()
     for line in ("2 sheets of Birch plywood 0.8 mm, 450 x 60 mm", "1 sheet of MDF 3 mm, 500 x 500 mm"):
         assert line in listed
         assert line in message
     assert len([*(tmp_path / "out" / "sheets").glob("kit-nest*.dxf")]) == 2
+    with (tmp_path / "out" / "kit-cut-list.csv").open() as file:
+        rows = [row for row in csv.DictReader(file) if row["sheet"] != "printed"]
+    millimetres = sum(int(row["count"]) * float(row["cut_length_mm"]) for row in rows)
+    cost = float(re.search(r"price ([0-9.]+): 3 sheets at 12.5", listed)[1])
+    assert cost == pytest.approx(3 * 12.5 + 0.8 * millimetres / 1000, abs=0.01)
+    strip = next(row for row in rows if row["sheet"] == "birch-plywood-0.8")
+    assert (strip["pierces"], float(strip["area_cm2"])) == (
+        "1",
+        pytest.approx(float(strip["mass_g"]) / 0.8 / 0.68 * 10, rel=2e-3),
+    )
 
 
 @pytest.mark.parametrize(
