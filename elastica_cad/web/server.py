@@ -149,7 +149,6 @@ class Studio:
     async def _talk(self, talk: WebSocket) -> None:
         """Answer the messages of one page, after the page has sent the key, until it is closed."""
         page = next(self._pages)
-        await talk.accept()
 
         async def send(kind: bytes, content: bytes) -> None:
             await (talk.send_text(content.decode()) if kind == b"text" else talk.send_bytes(content))
@@ -158,6 +157,7 @@ class Studio:
             await send(b"text", json.dumps({"design": None} | json.loads(opened) | self._hello).encode())
 
         try:
+            await talk.accept()
             key = await talk.receive_text()
             if not hmac.compare_digest(key.encode(), self.entrance.key.encode()):
                 await talk.close(1008, "wrong key")
@@ -165,9 +165,9 @@ class Studio:
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
-        # the page was closed, or another program sent bytes
-        except (WebSocketDisconnect, KeyError):
-            with suppress(RuntimeError):
+        # the page was closed, at whatever moment, or another program sent bytes
+        except (WebSocketDisconnect, RuntimeError, KeyError):
+            with suppress(WebSocketDisconnect, RuntimeError):
                 await talk.close()
         finally:
             self._workers.forget(page)
@@ -206,7 +206,7 @@ def _save_if_unchanged(path: Path, content: bytes) -> bytes:
     try:
         if file_mark(path) != mark:
             raise InputError(CHANGED, name=path.name)
-        write_atomically(path, text.encode(), force=True)
+        write_atomically(path, text.encode(errors="replace"), force=True)  # half a surrogate pair becomes "?"
         answer |= {"saved": path.name, "mark": file_mark(path)}
     except ElasticaError as problem:
         answer |= refused(problem)

@@ -7,6 +7,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from pathlib import Path
+from signal import Signals
 from typing import Any
 
 from elastica_cad._process import python_command
@@ -39,6 +40,8 @@ class Workers:
         self._saved = saved
         # the request, its line for a worker, and the function for the answer, by page and kind of request
         self._waiting: dict[tuple[int, str], tuple[dict[str, Any], bytes, Send]] = {}
+        # the page for which each process computes something that may take long
+        self._busy: dict[asyncio.subprocess.Process, int] = {}
         self._arrived = asyncio.Semaphore(0)
         self._tasks: list[asyncio.Task[None]] = []
 
@@ -66,7 +69,10 @@ class Workers:
         return True
 
     def forget(self, page: int) -> None:
-        """Drop the waiting requests of a closed page."""
+        """Drop the waiting requests of a closed page, and end processes that compute for it for long."""
+        for process in [process for process, busy_page in self._busy.items() if busy_page == page]:
+            with suppress(ProcessLookupError):
+                process.kill()
         for key in [key for key in self._waiting if key[0] == page]:
             del self._waiting[key]
 
@@ -82,20 +88,25 @@ class Workers:
                 await self._arrived.acquire()
                 if not self._waiting:  # the page of a request was closed
                     continue
-                question, line, send = self._waiting.pop(next(iter(self._waiting)))
+                key = next(iter(self._waiting))
+                question, line, send = self._waiting.pop(key)
                 seconds = LONGEST_S.get(str(question.get("do")), USUAL_S)
+                if seconds > USUAL_S:
+                    self._busy[process] = key[0]
                 try:
                     kind, content = await asyncio.wait_for(_response(process, line), seconds)
                 except (TimeoutError, asyncio.IncompleteReadError, OSError, ValueError) as failure:
-                    await _end(process)
-                    process = None
-                    reason = "The request needed too much memory. Use fewer strips, samples or holes."
-                    if isinstance(failure, TimeoutError):
-                        reason = (
-                            "The request took longer than {seconds} s. Use fewer strips, samples or holes."
-                        )
-                    refusal = refused(InputError(reason, seconds=round(seconds)))
+                    code = await _end(process)
+                    reason = (
+                        "The request took longer than {seconds} s. Use fewer strips, samples or holes."
+                        if isinstance(failure, TimeoutError) else
+                        "The process that computed this has ended ({code}); SIGKILL usually means too little "
+                        "memory. Try again, or use fewer strips, samples or holes."
+                    )  # fmt: skip
+                    refusal = refused(InputError(reason, seconds=round(seconds), code=code))
                     kind, content = b"text", text_answer(question, refusal)
+                self._busy.pop(process, None)
+                process = process if process.returncode is None else None
                 # the page may have been closed meanwhile
                 with suppress(Exception):
                     await send(kind, content)
@@ -121,7 +132,12 @@ async def _response(process: asyncio.subprocess.Process, line: bytes) -> tuple[b
     return kind, await process.stdout.readexactly(int(size))
 
 
-async def _end(process: asyncio.subprocess.Process) -> None:
-    with suppress(ProcessLookupError):
+async def _end(process: asyncio.subprocess.Process) -> str:
+    """End a process, and return the signal or the exit code with which it ended."""
+    # `kill` of a process that has ended takes its exit code away from asyncio
+    with suppress(TimeoutError):
+        await asyncio.wait_for(process.wait(), 0.1)
+    if process.returncode is None:
         process.kill()
-    await process.wait()
+    code = await process.wait()
+    return Signals(-code).name if code < 0 else f"exit code {code}"

@@ -6,6 +6,7 @@ import os
 import random
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import time
@@ -315,6 +316,34 @@ def test_a_question_that_needs_too_much_memory_or_time_ends_with_a_sentence(serv
         message = page.ask("strip", design=design(samples="10000 * 1000"))
         assert "refused" in message
         assert "refused" not in page.ask("strip", design=design())
+
+
+def test_abandoned_downloads_end_with_their_pages_and_write_nothing():
+    command = [sys.executable, "-m", "elastica_cad", "studio", "--no-browser"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    server, drawn, asked = Server(process), random.Random(94), design()
+    asked["strips"][0] |= {"count": 300, "origin": [0, 0, "50 * i"]}
+    try:
+        for _ in range(6):
+            with server.page() as page:
+                page.talk.send(json.dumps({"do": "file", "id": 1, "kind": "kit", "design": asked}))
+                time.sleep(drawn.uniform(0, 0.3))
+                # an abrupt end, as of a computer that is switched off
+                page.talk.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+                page.talk.socket.close()
+        with server.page() as page:  # with both processes busy, it would wait for minutes
+            assert "refused" not in page.ask("strip", design=design())
+    finally:
+        process.send_signal(signal.SIGINT)
+        text = process.communicate(timeout=20)[1]
+    assert text == ""
+
+
+def test_half_a_surrogate_pair_in_a_saved_design_is_answered(tmp_path):
+    with running(tmp_path / "new.toml") as started, started.page() as page:
+        answer = page.ask("save", design=design(name="half \ud83d"), mark="")
+        assert answer["saved"] == "new.toml"
+        assert 'name = "half ?"' in (tmp_path / "new.toml").read_text()
 
 
 @pytest.mark.campaign
