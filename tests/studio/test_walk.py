@@ -441,6 +441,10 @@ def test_by_finger_a_curve_is_drawn_moved_and_looked_at(server, tmp_path):
         for place in CURVE:
             studio.touch([corner + size * place])
         studio.until(lambda: studio.verdict().startswith("It can be made"))
+        place = studio.point(1)
+        studio.touch([corner + size * 0.5 + (3 * k, 9 * k) for k in range(8)])  # a swipe moves the view
+        assert len(studio.all("g.points circle")) == len(CURVE)
+        assert studio.point(1) == pytest.approx(np.add(place, (21, 63)), abs=12)
 
         before, place = studio.shape(), studio.point(4)
         studio.touch([place, np.add(place, (4, 12)), np.add(place, (8, 24))])

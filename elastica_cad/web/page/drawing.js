@@ -83,13 +83,15 @@ export class Drawing {
     const hit = this.hit(event, this.points), held = this.held(event);
     if (this.fingers.size > 1) { // two fingers zoom: the first set no point
       if (this.appended) this.on.undo();
-      this.grabbed = null;
+      this.grabbed = this.tapped = null;
       this.appended = false;
     } else if (!["move", "draw"].includes(this.mode)) this.put(event);
     else if (hit >= 0) {
       this.grabbed = hit;
       this.on.grab(hit);
       this.focus(hit);
+    } else if (this.mode === "draw" && event.pointerType === "touch") {
+      this.tapped = [event.clientX, event.clientY]; // a point is set when the finger is lifted, unless it moves the view
     } else if (this.mode === "draw") {
       this.appended = this.on.append(this.place(event));
       this.grabbed = this.appended ? this.points.length - 1 : null; // null while it is checked
@@ -150,6 +152,8 @@ export class Drawing {
     if (!before) return;
     const now = [event.clientX, event.clientY], others = [...this.fingers].filter(([id]) => id !== event.pointerId);
     this.fingers.set(event.pointerId, now);
+    if (this.tapped && Math.hypot(now[0] - this.tapped[0], now[1] - this.tapped[1]) < HIT) return;
+    this.tapped = null;
     if (others.length) {
       const box = this.svg.getBoundingClientRect(), other = others[0][1];
       const apart = (p) => Math.hypot(p[0] - other[0], p[1] - other[1]);
@@ -172,8 +176,9 @@ export class Drawing {
     this.fingers.delete(event.pointerId);
     const place = this.from && this.along(event);
     if (place && Math.abs(place.s - this.from[0].s) * this.view.scale > HIT) this.put(event);
-    const changed = this.grabbed != null || this.sliding || this.filled;
-    this.grabbed = this.sliding = null;
+    if (this.tapped && event.type === "pointerup") this.on.append(this.place(event));
+    const changed = this.grabbed != null || this.sliding || this.filled || this.tapped;
+    this.grabbed = this.sliding = this.tapped = null;
     this.appended = this.filled = false;
     if (changed) this.on.release();
   }

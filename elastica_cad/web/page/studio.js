@@ -220,7 +220,11 @@ class Studio {
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
         const copy = copyOf(path);
-        this.history.change((one) => (copy ? copy.set(one, value) : put(table(one, path[0]), path, value)));
+        this.history.change((one) => {
+          if (copy) copy.set(one, value);
+          else put(table(one, path[0]), path, value);
+          if (path[0] === "loads" && this.weighed && !JSON.stringify(value ?? []).includes('"mass"')) delete table(one, "gravity").gravity;
+        });
       },
     });
   }
@@ -353,7 +357,9 @@ class Studio {
     this.tell("");
     this.history.change((design) => {
       this.listOf(design, key).push(made(places));
-      if (noun === "point mass") tableOf(design, this.strip, "gravity").gravity ??= true; // or the mass has no weight
+      const table = tableOf(design, this.strip, "gravity");
+      if (noun !== "point mass" || "gravity" in table) return;
+      table.gravity = this.weighed = true; // or the mass has no weight; it goes with the last mass
     });
   }
 
