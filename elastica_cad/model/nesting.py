@@ -2,8 +2,8 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from typing import Annotated, TypeAlias
+from dataclasses import dataclass, replace
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 
@@ -22,13 +22,16 @@ FIT_TOLERANCE_MM = 1e-9
 
 @dataclass(frozen=True)
 class Nesting:
-    """Size of the sheets (width, height) and least distance between pieces, mm, and prices."""
+    """Size of the sheets (width, height) and least distance between pieces, mm, direction of the grain, prices."""
 
     sheet_size: Annotated[tuple[float, float], Option("Width and height of the sheets.", "mm", above=0)] = (
         600.0,
         400.0,
     )
-    margin: Annotated[float, Option("Least distance between parts.", "mm", least=0)] = 2.0
+    margin: Annotated[float, Option("Least distance between parts.", "mm", least=0.01)] = 2.0
+    grain: Annotated[
+        Literal["width", "height"], Option("Side of the sheets that their grain is parallel to.")
+    ] = "width"
     price: Annotated[
         tuple[float, float] | None,
         Option("Price of a sheet, and price of a metre of cuts; the cut list gives the sum.", least=0),
@@ -48,6 +51,8 @@ class NestedSheet(Drawing):
         Material of the sheet.
     sheet_size : (width, height)
         Size of the sheet, mm.
+    along : {"width", "height"}
+        Side of the sheet that its grain is parallel to.
     pieces : tuple of str
         Name of each piece.
     used : float
@@ -60,6 +65,7 @@ class NestedSheet(Drawing):
 
     sheet: Sheet | None = None
     sheet_size: tuple[float, float] = (0.0, 0.0)
+    along: str = "width"
     pieces: tuple[str, ...] = ()
     used: float = 0.0
     filled: float = 0.0
@@ -70,10 +76,11 @@ class NestedSheet(Drawing):
         """Sentence on the direction of the grain, or "" for a sheet without grain."""
         if self.sheet is None or self.sheet.grain == "none":
             return ""
+        upright = self.along == "height"
         return note(
-            "the grain runs along x, parallel to the edge of the sheet that is {side:g} long",
-            side=Length(self.sheet_size[0]),
-        )
+            "the grain runs along {axis}, parallel to the edge of the sheet that is {side:g} long",
+            axis="xy"[upright], side=Length(self.sheet_size[upright]),
+        )  # fmt: skip
 
     @property
     def counts(self) -> dict[str, int]:
@@ -110,6 +117,7 @@ def nest_pieces(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
+    grain: str = "width",
     kerf: float | None = KERF,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:
@@ -117,8 +125,7 @@ def nest_pieces(
 
     Rows are parallel to the side of the sheet for which the pieces need fewer sheets. If the counts are
     equal, the side that uses less of the last sheet is chosen. Pieces without grain may be rotated by 90
-    degrees. The grain of a sheet is along its width, and `Sheet.grain` sets the direction of pieces with
-    grain.
+    degrees. `Sheet.grain` sets the direction of pieces with grain.
 
     Parameters
     ----------
@@ -128,6 +135,8 @@ def nest_pieces(
         Size of the sheets, mm.
     margin : float
         Least distance of tool paths from each other and from the edge of the sheet, mm.
+    grain : {"width", "height"}
+        Side of the sheets that their grain is parallel to.
     kerf : float or None
         Kerf, mm, for which the written drawings will be compensated (`compensate_kerf`). None means the kerf
         of each sheet.
@@ -145,19 +154,17 @@ def nest_pieces(
     Two-dimensional packing problems, EJOR 141, 2002). A box is the exact bounding box of the cut curves, so
     the curves keep the margin.
     """
-    nesting = Nesting(sheet_size, margin)
+    nesting = Nesting(sheet_size, margin, grain)
     if kerf is not None:
         require_number(kerf, "the kerf", "mm")
-    width, height = map(float, nesting.sheet_size)
     groups: dict[Sheet, list[Piece]] = {}
     for piece in several("pieces", pieces, Piece, "Piece"):
         groups.setdefault(piece.sheet, []).append(piece)
     drawings: list[NestedSheet] = []
     for sheet, group in groups.items():
-        widened = widened_by(sheet, kerf)
-        # touching loops cannot be offset by the kerf
-        apart = widened + (max(margin, 0.01) if widened else margin)
-        drawings += _nested_group(sheet, group, (width, height), apart, name)
+        drawings += _nested_group(
+            sheet, group, replace(nesting, margin=margin + widened_by(sheet, kerf)), name
+        )
     return tuple(drawings)
 
 
@@ -208,19 +215,18 @@ def widened_by(sheet: Sheet, kerf: float | None) -> float:
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
-def _nested_group(
-    sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
-) -> list[NestedSheet]:
+def _nested_group(sheet: Sheet, pieces: Sequence[Piece], nesting: Nesting, name: str) -> list[NestedSheet]:
     """Return sheets with the pieces of one material.
 
     Rows are along the long or the short side, whichever needs fewer sheets or less of the last sheet.
     """
     # number of sheets and used area of the last sheet, whether rows are along the height, and the places
     best: tuple[tuple[float, float], bool, list[list[_Place]]] | None = None
+    (width, height), margin = nesting.sheet_size, nesting.margin
     for upright in (False, True):
         # every box has a margin on one side, so the other edge of the sheet needs one more
-        usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
-        boxes = [_boxes(i, piece, margin, usable, upright) for i, piece in enumerate(pieces)]
+        usable = (height - margin, width - margin) if upright else (width - margin, height - margin)
+        boxes = [_boxes(i, piece, nesting, usable, upright) for i, piece in enumerate(pieces)]
         if not all(boxes):
             continue
         sheets = _pack(boxes, pieces, usable)
@@ -228,24 +234,25 @@ def _nested_group(
         if best is None or cost < best[0]:
             best = cost, upright, sheets
     if best is None:
-        raise InputError(sentences(_too_large(pieces, size, margin), ". "))
+        raise InputError(sentences(_too_large(pieces, nesting), ". "))
     _, upright, sheets = best
     return [
-        _drawing(sheet, pieces, places, size, margin, upright, f"{name}-{number}")
+        _drawing(sheet, pieces, places, nesting, upright, f"{name}-{number}")
         for number, places in enumerate(sheets, start=1)
     ]
 
 
-def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
+def _boxes(
+    index: int, piece: Piece, nesting: Nesting, usable: tuple[float, float], upright: bool
+) -> list[_Box]:
     """Return the boxes of a piece with margin, narrowest first, turned as the grain permits.
 
     `usable` are the sizes of the sheet along and across the rows, mm, without one margin. With `upright`, rows run
     along the height of the sheet.
     """
-    x, y = (side + margin for side in piece.size)
-    boxes = []
-    turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
-    for turned in turns:
+    x, y = (side + nesting.margin for side in piece.size)
+    boxes, grain = [], piece.sheet.grain
+    for turned in (False, True) if grain == "none" else ((grain == "across") != (nesting.grain == "height"),):
         long, wide = (y, x) if turned != upright else (x, y)
         if long <= usable[0] + FIT_TOLERANCE_MM and wide <= usable[1] + FIT_TOLERANCE_MM:
             boxes.append(_Box(index, long, wide, turned))
@@ -307,13 +314,13 @@ def _drawing(
     sheet: Sheet,
     pieces: Sequence[Piece],
     places: Sequence[_Place],
-    size: tuple[float, float],
-    margin: float,
+    nesting: Nesting,
     upright: bool,
     name: str,
 ) -> NestedSheet:
     """Return the drawing of a sheet with its border and the placed pieces, and the fractions that are used."""
-    usable = size[1] - margin if upright else size[0] - margin
+    size, margin = nesting.sheet_size, nesting.margin
+    usable = size[upright] - margin
     laid, places = [], sorted(places, key=lambda place: place[0].piece)
     placed = [pieces[box.piece] for box, _, _ in places]
     for piece, (box, *start) in zip(placed, places, strict=True):
@@ -326,6 +333,7 @@ def _drawing(
         merged.texts,
         sheet=sheet,
         sheet_size=size,
+        along=nesting.grain,
         pieces=tuple(piece.name for piece in placed),
         used=max(y + box.wide for box, _, y in places) * usable,
         filled=sum(box.long * box.wide for box, _, _ in places),
@@ -341,17 +349,19 @@ def _placement(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
     return np.array([[1.0, 0.0, x - x0], [0.0, 1.0, y - y0], [0.0, 0.0, 1.0]])
 
 
-def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float) -> Iterator[str]:
+def _too_large(pieces: Sequence[Piece], nesting: Nesting) -> Iterator[str]:
+    size, margin = nesting.sheet_size, nesting.margin
     for piece in pieces:
-        if not any(_boxes(0, piece, margin, (size[0] - margin, size[1] - margin), False)):
+        if not any(_boxes(0, piece, nesting, (size[0] - margin, size[1] - margin), False)):
             x, y = piece.size
             yield note(
                 "{piece}: a part of {x:.4g} by {y:.4g} does not fit on a sheet of {long:g} by {short:g} "
                 "with a margin of {margin:g}. Use a larger sheet ({field}) or make the part in pieces"
                 if piece.sheet.grain == "none" else
                 "{piece}: a part of {x:.4g} by {y:.4g}, with its grain {grain} the part, does not fit on a "
-                "sheet of {long:g} by {short:g} with a margin of {margin:g}. Use a larger sheet ({field}) "
-                "or make the part in pieces",
+                "sheet of {long:g} by {short:g} with a margin of {margin:g}. Use a larger sheet ({field}), turn "
+                "the grain of the sheet ({turn}), or make the part in pieces",
                 piece=piece.name, x=BareLength(x), y=Length(y), long=BareLength(size[0]), short=Length(size[1]),
                 margin=Length(margin), grain=piece.sheet.grain, field=FieldName("nest.sheet_size"),
+                turn=FieldName("nest.grain"),
             )  # fmt: skip

@@ -56,7 +56,7 @@ def test_pieces_alike_but_for_rounding_lie_in_the_order_given(seed):
     assert laid(np.random.default_rng(seed).uniform(-1e-11, 1e-11, (12, 2))) == laid(np.zeros((12, 2)))
 
 
-@pytest.mark.parametrize("margin", [0.0, 1.5, 6.0])
+@pytest.mark.parametrize("margin", [0.01, 1.5, 6.0])
 @pytest.mark.parametrize("seed", range(4))
 def test_margin_is_kept_and_nothing_is_lost(margin, seed):
     rng = np.random.default_rng(seed)
@@ -75,7 +75,7 @@ def test_margin_is_kept_and_nothing_is_lost(margin, seed):
         assert nest.filled <= nest.used <= 400 * 300
 
 
-@pytest.mark.parametrize("margin", [0.0, 1.0])
+@pytest.mark.parametrize("margin", [0.01, 1.0])
 @pytest.mark.parametrize(("kerf", "burnt"), [(0.3, 0.3), (None, MDF.kerf), (-0.2, -0.2)])
 def test_the_margin_holds_between_the_cuts_as_they_run(kerf, burnt, margin):
     """Without a margin the cuts touched, and the kerf was refused for it."""
@@ -99,11 +99,23 @@ def test_the_better_side_is_chosen():
     assert len(nest_pieces([strips], sheet_size=(600, 400), margin=2)) == 1
 
 
-@pytest.mark.parametrize(("sheet", "along_x"), [(CARD, True), (PLY_ACROSS, False)])
-def test_grain_runs_along_the_sheet(sheet, along_x):
-    (nest,) = nest_pieces([plate("g", 120, 30, sheet, count=5)], sheet_size=(300, 300), margin=1)
+@pytest.mark.parametrize("grain", ["width", "height"])
+@pytest.mark.parametrize("sheet", [CARD, PLY_ACROSS])
+def test_grain_runs_along_the_sheet(sheet, grain):
+    pieces = [plate("g", 120, 30, sheet, count=5)]
+    (nest,) = nest_pieces(pieces, sheet_size=(300, 300), margin=1, grain=grain)
     sizes = np.array([np.ptp(path.bounds, axis=0) for path in nest.on(CUT_OUTER)])
-    assert np.all((sizes[:, 0] > sizes[:, 1]) == along_x)
+    assert np.all((sizes[:, 0] > sizes[:, 1]) == ((sheet is CARD) == (grain == "width")))
+    assert f"along {'x' if grain == 'width' else 'y'}, parallel" in nest.grain
+
+
+def test_a_strip_longer_than_the_width_goes_along_the_height():
+    pieces = [plate("long", 371, 30, CARD, count=2)]
+    with pytest.raises(InputError, match=r"turn the grain of the sheet \(nest.grain\)"):
+        nest_pieces(pieces, sheet_size=(300, 600))
+    (nest,) = nest_pieces(pieces, sheet_size=(300, 600), grain="height")
+    assert_margin_kept(nest, 2.0)
+    assert nest.grain == "the grain runs along y, parallel to the edge of the sheet that is 600 mm long"
 
 
 def test_parts_larger_than_the_sheet_are_named():

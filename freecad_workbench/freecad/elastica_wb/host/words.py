@@ -24,7 +24,8 @@ from elastica_cad.translations import Translated
 
 NAMES = {
     "section": "Law", "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
-    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "nest.sheet_size": "SheetWidth",
+    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText",
+    "nest.sheet_size": "SheetWidth", "nest.grain": "SheetWidth",
     "supports.start": "StartSupport", "supports.end": "EndSupport",
     "limits": "Follow", "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
     "pad.length": "PadLength", **dict.fromkeys(("feet", "full", "second_state", "shop.lap"), ""),
