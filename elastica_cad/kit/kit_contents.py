@@ -35,7 +35,7 @@ from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.cut_rows import CutList, Stock, cut_list
 from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays
-from elastica_cad.model.model import Model
+from elastica_cad.model.model import LARGEST_CORRECTION, MOST_NARROWER, SMALLER_CORRECTION, Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_rods, widened_by
 from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, numbered, tips_below
@@ -44,7 +44,7 @@ from elastica_cad.strip.clamp_errors import can_snap
 from elastica_cad.strip.drawing import CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.lettering import numbers_note
-from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
+from elastica_cad.strip.makeable_strip import Splice, compensate_widths, joined_within, spliced
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.pieces import EqualStrips, Piece, count_pieces, strip_pieces
 from elastica_cad.strip.strip import Strip, distinct_names
@@ -209,7 +209,9 @@ def kit_contents(
             name=distinct_names(model.placed)[first], more=and_more([*unheld]),
             ends=sentences([END_NAMES[end] for end in ends], " & "),
         ))  # fmt: skip
-    held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else (None, ())
+    held, notes = (
+        _shapes_in_holders(model, (*model.plates, *holders), unheld, requests) if effects else (None, ())
+    )
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     if spec.reference_bar is not None and spec.cutting.service:
         messages.append(
@@ -380,8 +382,37 @@ END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("en
 """Names of the ends, with the numbers that are engraved on strips and slots."""
 
 
+def _nearer_to_design(name: str, strip: Strip, requests: Mapping[str, StripSpec]) -> Iterator[str]:
+    """Yield which changes of the request make the strip deviate less, as tried on this strip alone."""
+    request = requests.get(strip.label)
+    if request is None or request.section is not None:
+        return
+    if not request.compensate:
+        # as `interlock_compensated`: a correction is smaller if a slot would no longer reach the neighbour
+        largest, at = LARGEST_CORRECTION, np.array([slot.at for slot in strip.slots])
+        corrected = compensate_widths(strip, largest=largest)
+        while np.max(strip.width(at) / corrected.width(at)) > MOST_NARROWER:
+            largest *= SMALLER_CORRECTION
+            corrected = compensate_widths(strip, largest=largest)
+        better = corrected.held_deviation
+        if better < 0.7 * strip.held_deviation:
+            yield note(
+                "{field} = true reduces the deviation, of {name} to {better:.2g} at best.",
+                field=FieldName("compensate"), name=name, better=Length(better),
+            )  # fmt: skip
+    wide = replace(strip, ends=tuple(replace(tab, width=None) for tab in strip.ends))
+    if wide.held_deviation < 0.7 * strip.held_deviation:
+        yield note(
+            "Tabs as wide as the strip ({field}) reduce the deviation, of {name} to {better:.2g} at best.",
+            field=FieldName("ends.width"), name=name, better=Length(wide.held_deviation),
+        )  # fmt: skip
+
+
 def _shapes_in_holders(
-    model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
+    model: Model,
+    holders: Sequence[Holder],
+    unheld: Mapping[int, object],
+    requests: Mapping[str, StripSpec],
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
     """Return the shapes of strips in their holders by name, and notes.
 
@@ -414,18 +445,25 @@ def _shapes_in_holders(
             notes.append(f"{name}: {shape}")
         else:
             held_shapes[name] = shape
-    locked = {names[k] for joint in model.joints for k in joint.members}
-    if deviating := [
-        f"{name} {Length(held_shapes[name].deviation):.2g}"
-        for name in names
-        if name in locked and name in held_shapes and held_shapes[name].deviation > CLEARANCE
-    ]:
+    locked = {names[k]: model.placed[k].strip for joint in model.joints for k in joint.members}
+    if deviating := {
+        name: shape.deviation
+        for name, shape in held_shapes.items()
+        if name in locked and shape.deviation > CLEARANCE
+    }:
+        worst = max(deviating, key=deviating.__getitem__)
+        head = note(
+            "{worst} deviates from its design by {most:.2g}, more than the clearance of slots ({room:g})."
+            if len(deviating) == 1 else
+            "{count} strips deviate from their design by {least:.2g} to {most:.2g}, {worst} most, more than the "
+            "clearance of slots ({room:g}).",
+            count=len(deviating), least=Length(min(deviating.values())), most=Length(deviating[worst]),
+            worst=worst, room=Length(CLEARANCE),
+        )  # fmt: skip
         notes.append(
             note(
-                "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If "
-                "their slots do not meet, bend the strips by hand until they do.",
-                room=Length(CLEARANCE),
-                strips=", ".join(deviating),
+                "{deviating} If their slots do not meet, bend the strips by hand until they do.",
+                deviating=sentences([head, *_nearer_to_design(worst, locked[worst], requests)], " "),
             )
         )
     return held_shapes, tuple(notes)

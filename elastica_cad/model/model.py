@@ -386,6 +386,10 @@ class Model:
 ROUNDS, MOST_ROUNDS = 2, 10
 """Number of rounds after the last round that lost a joint, and largest number of rounds."""
 
+LARGEST_CORRECTION, SMALLER_CORRECTION, MOST_NARROWER = 0.15, 0.7, 1.1
+"""Largest change of the logarithm of a strip's width; its factor after each round in which the strip lost a
+joint and became too much narrower there; and this largest ratio of widths."""
+
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
     """Return the interlocked model, with widths that compensate the slots.
@@ -405,8 +409,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
     """
     first = locked = model.interlock(**options)
     # `wider` is the factor of each strip's width
-    # `largest` is the largest change of the logarithm of each strip's width in a round of corrections
-    wider, largest, rounds = [1.0] * len(model.strips), [0.15] * len(model.strips), ROUNDS
+    wider, rounds = [1.0] * len(model.strips), ROUNDS
+    largest = [LARGEST_CORRECTION] * len(model.strips)
     for _ in range(MOST_ROUNDS):
         # cut the slots again, because old slots may not reach the new edges
         known: dict[Any, Strip] = {}
@@ -425,8 +429,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
             break
         for k, narrower in ratios.items():
             # a much wider strip would have wider shoulders beside its tabs
-            if narrower > 1.1:
-                largest[k] *= 0.7
+            if narrower > MOST_NARROWER:
+                largest[k] *= SMALLER_CORRECTION
             else:
                 wider[k] *= narrower
     messages = tuple(

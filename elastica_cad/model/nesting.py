@@ -20,6 +20,9 @@ FIT_TOLERANCE_MM = 1e-9
 """Tolerance, mm, so that a piece fits in a row of its exact size."""
 
 
+Side: TypeAlias = Literal["width", "height"]
+
+
 @dataclass(frozen=True)
 class Nesting:
     """Size of the sheets (width, height) and least distance between pieces, mm, direction of the grain, prices."""
@@ -65,7 +68,7 @@ class NestedSheet(Drawing):
 
     sheet: Sheet | None = None
     sheet_size: tuple[float, float] = (0.0, 0.0)
-    along: str = "width"
+    along: Side = "width"
     pieces: tuple[str, ...] = ()
     used: float = 0.0
     filled: float = 0.0
@@ -117,7 +120,7 @@ def nest_pieces(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
-    grain: str = "width",
+    grain: Side = "width",
     kerf: float | None = KERF,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:

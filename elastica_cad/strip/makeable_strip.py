@@ -139,14 +139,19 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     require_record(strip, Strip, "what is compensated", "a Strip")
     if not is_one_of(largest, [np.inf]):
         require_positive(largest, "the largest change of width", "shares of it")
-    strip = replace(strip, correction=None) if strip.correction is not None else strip
+    before = strip.correction
+    strip = strip if before is None else replace(strip, correction=None)
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
-    # first guess: the widths compensate the loss of stiffness, smoothed along the strip
-    softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0))
+    # first guess: the correction of before, or the inverse of the loss of stiffness, smoothed along the strip
+    stiffer = (
+        1 / np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0)
+        if before is None else before(design.s)
+    )  # fmt: skip
+    wider = np.log(stiffer)
     # largest |log(factor on the width)|
     clip = min(0.5, largest)
-    guess = np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0].clip(-clip, clip)
+    guess = np.linalg.lstsq(basis, wider - wider.mean(), rcond=None)[0].clip(-clip, clip)
     drawn, guessed = (_correct(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
     best = min(filter(None, (drawn, guessed)), key=lambda candidate: candidate.deviation, default=None)
     if best is None:

@@ -106,3 +106,41 @@ def test_a_model_reports_a_kerf_that_is_not_compensated(tmp_path, sheet, cut, to
 def test_rods_that_are_sawn_have_no_kerf(tmp_path):
     text = RODS.format(sheet="glass-rod-4", diameter=4)
     assert not any("kerf" in note for note in contents_of(tmp_path, text).report["reports"])
+
+
+CROSSED = """schema = 1
+sheet = "card-200gsm"
+max_width = 45
+gravity = true
+ends = { length = 18, width = 18 }
+interlock = { above = [0, 0, 1] }
+[[strips]]
+count = 2
+label = "S{i}"
+let.way = "2.7 * degrees * (i - 1)"
+origin = ["600 * cos(way)", "600 * sin(way)", 0]
+x_axis = ["cos(way)", "sin(way)", 0]
+y_axis = [0, 0, 1]
+curve = { ellipse = { center = [0, 20], semi_axes = [75, 112.5], rotation = "(0.4 + 0.1 * i) * pi", above = 0 } }
+"""
+
+
+def notes_on_slots(tmp_path, text):
+    (tmp_path / "crossed.toml").write_text(text)
+    design = read_design(tmp_path / "crossed.toml", ec.read_curves)
+    contents = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
+    said = [str(text) for text in contents.notes if "clearance of slots" in text]
+    far = [shape.deviation for shape in contents.held.values() if shape.deviation > 0.1]
+    return said, far
+
+
+def test_strips_that_leave_their_slots_are_told_by_a_range_and_by_what_helps(tmp_path):
+    (said,), far = notes_on_slots(tmp_path, CROSSED)
+    assert len(far) == 2
+    assert f"2 strips deviate from their design by {min(far):.2g} mm to {max(far):.2g} mm" in said
+    assert "compensate = true reduces the deviation, of S1" in said
+    assert "Tabs as wide as the strip (ends.width) reduce the deviation, of S1" in said
+    _, compensated = notes_on_slots(tmp_path, CROSSED.replace("max_width", "compensate = true\nmax_width"))
+    _, wide = notes_on_slots(tmp_path, CROSSED.replace(", width = 18", ""))
+    assert max(compensated) < 0.9 * max(far)
+    assert max(wide) < 0.5 * max(far)
