@@ -11,6 +11,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from io import BytesIO
+from itertools import count
 from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
@@ -269,7 +270,41 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         done = done and writer.WriteStream(stream) == k.IFSelect_ReturnStatus.IFSelect_RetDone
     if not done:
         raise InputError("OpenCASCADE could not write these parts as STEP. Check that they are valid solids.")
-    return re.sub(rb"elastica-name-(\d+)", lambda found: texts[int(found[1])], stream.getvalue())
+    content = _in_order(stream.getvalue())
+    return re.sub(rb"elastica-name-(\d+)", lambda found: texts[int(found[1])], content)
+
+
+def _in_order(content: bytes) -> bytes:
+    """Return a STEP file with its places numbered from 1 and its styles in the order of the parts.
+
+    OpenCASCADE counts the places of all files that it has written. It writes the styles, which are the last
+    entities of a file, in the order of the addresses of shapes in memory. So a file would differ at each run.
+    """
+    places = count(1)
+    content = re.sub(
+        rb"(?s)(USAGE_OCCURRENCE\(')\d+(.*?;)",
+        lambda found: b"%s%d%s" % (found[1], next(places), found[2].replace(b"\n  ", b"")),
+        content,
+    )
+    styles = re.search(rb"(?s)#\d+ = MECHANICAL_DESIGN.*(?=ENDSEC)", content)
+    if styles is None:
+        return content
+    bodies = dict(re.findall(rb"(?s)#(\d+) = (.*?;\n)", styles[0]))
+    first, numbers = min(map(int, bodies)), dict[bytes, bytes]()
+
+    def number(entity: bytes) -> None:
+        if entity in bodies and entity not in numbers:
+            numbers[entity] = b"%d" % (first + len(numbers))
+            for used in re.findall(rb"#(\d+)", bodies[entity]):
+                number(used)
+
+    # the last number in the style of a part is that of the part's context
+    roots = [entity for entity, body in bodies.items() if body.startswith(b"MECHANICAL_DESIGN")]
+    for root in sorted(roots, key=lambda entity: int(re.findall(rb"#(\d+)", bodies[entity])[-1])):
+        number(root)
+    text = b"".join(b"#%s = %s" % (entity, bodies[entity]) for entity in numbers)
+    text = re.sub(rb"#(\d+)", lambda found: b"#" + numbers.get(found[1], found[1]), text)
+    return content[: styles.start()] + text + content[styles.end() :]
 
 
 def _step_text(name: str) -> bytes:

@@ -44,6 +44,12 @@ def test_step_has_each_body_once(model, tmp_path):
     assert text.count("MANIFOLD_SOLID_BREP(") == 3
 
 
+def test_step_is_the_same_wherever_the_bodies_lie_in_memory(model):
+    """OpenCASCADE writes colours in the order of the addresses of bodies."""
+    made = [step.model_shapes(model) for _ in range(6)]  # all are kept, so that their addresses differ
+    assert len({step.step_bytes(shapes, name=model.name) for shapes in made}) == 1
+
+
 def test_step_is_read_back_in_place(model, tmp_path, measure):
     from OCP.STEPControl import STEPControl_Reader
 
