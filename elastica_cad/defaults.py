@@ -24,6 +24,9 @@ RING_TAB_LENGTH = 8.0
 KERF = 0.0
 """Kerf for which cutting files are corrected. It is 0, because many cutting services correct their kerf."""
 
+STROKE = 0.1
+"""Width of the lines of an SVG file."""
+
 LASER_KERF = 0.2
 """Kerf for a two-state part of a sheet with unknown kerf."""
 

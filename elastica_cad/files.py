@@ -290,7 +290,7 @@ def save(
     The formats are .dxf and .svg, and .step for strips and parts. The .step file of a strip contains the flat
     and the bent strip. The .step file of a two-state part contains the unloaded part or, with `state` "first"
     or "second", the part in this state. The options are those of `formats.write_drawing`: kerf, curves,
-    tolerance, version, layers, force. For STEP, the only other option is force.
+    tolerance, version, layers, stroke, force. For STEP, the only other option is force.
 
     A body of build123d or CadQuery, such as a `BentStrip`, is written at its position to .step, .stl or .glb, and
     its flat pattern to .dxf or .svg.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from elastica_cad._text import plain_name
 from elastica_cad._values import require_record
 from elastica_cad.declared import Field, Option, Record, declared, require_declared
-from elastica_cad.defaults import KERF
+from elastica_cad.defaults import KERF, STROKE
 from elastica_cad.errors import FieldName, InputError, Length, Refusal, note
 from elastica_cad.formats.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
@@ -117,6 +117,16 @@ class Cutting:
             written=Literal["elastica", "boxes", "lightburn"],
         ),
     ] = "elastica"
+    stroke: Annotated[
+        float,
+        Option(
+            "Width of the lines in SVG files. Some laser programs cut only lines of at most 0.01 mm.",
+            "mm",
+            least=0.001,
+            most=1,
+            group="files",
+        ),
+    ] = STROKE
     holding: Annotated[
         HoldingTabs | None, Option("Bridges that hold the parts in the sheet.", group="files")
     ] = None
@@ -170,6 +180,7 @@ class Cutting:
             "tolerance": self.tolerance,
             "version": self.version,
             "layers": self.colors,
+            "stroke": self.stroke,
             "holding": self.holding,
             "marks": self.marks,
         }

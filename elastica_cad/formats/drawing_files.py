@@ -8,8 +8,8 @@ import numpy as np
 
 from elastica_cad._text import MADE_BY, html_text
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_flag, require_path, require_record
-from elastica_cad.defaults import KERF
+from elastica_cad._values import require_flag, require_path, require_positive, require_record
+from elastica_cad.defaults import KERF, STROKE
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import (
     EXACT,
@@ -89,6 +89,7 @@ def encode_svg(
     curves: str = "spline",
     tolerance: float = 0.02,
     layers: Mapping[str, LayerChoice] | str | None = None,
+    stroke: float = STROKE,
 ) -> bytes:
     """Return the bytes of an SVG file in mm. Equal drawings give equal bytes.
 
@@ -105,6 +106,8 @@ def encode_svg(
         Largest distance, mm, between a curve and its replacement.
     layers : mapping, optional
         Names and colours, see `style_layers`.
+    stroke : float
+        Width of the lines, mm. Laser programs recognize thin strokes as cuts.
 
     Examples
     --------
@@ -117,6 +120,7 @@ def encode_svg(
     require_record(drawing, Drawing, "what is written", "a Drawing record")
     curves = check_curve_style(curves)
     styles = style_layers(layers)
+    require_positive(stroke, "stroke", "mm")
     (left, low), (right, high) = drawing.bounds
     width, height = _shortest_text(right - left + 2 * _MARGIN_MM), _shortest_text(high - low + 2 * _MARGIN_MM)
     shaped = shape_paths([item.path for item in drawing.strokes], curves, tolerance, rational=False)
@@ -137,10 +141,9 @@ def encode_svg(
             continue
         style = styles[layer]
         key, label = html_text(style.name.replace(" ", "_")), html_text(style.name)
-        # laser programs recognize thin strokes as cuts
         rows.append(
             f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
-            f'fill="none" stroke="{style.color}" stroke-width="0.1">'
+            f'fill="none" stroke="{style.color}" stroke-width="{stroke:g}">'
         )
         rows.extend(f'<path d="{path_data(path, corner, decimals)}"/>' for path in paths)
         rows.append("</g>")
@@ -160,6 +163,7 @@ def write_drawing(
     tolerance: float = 0.02,
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
+    stroke: float = STROKE,
     holding: HoldingTabs | None = None,
     marks: bool = True,
     force: bool = False,
@@ -184,6 +188,8 @@ def write_drawing(
     layers : mapping or str, optional
         Mapping from a layer to a name, or to a name and a colour "#rrggbb". Or the name of a colour scheme:
         "boxes", "lightburn".
+    stroke : float
+        Width of the lines of an SVG file, mm.
     holding : HoldingTabs, optional
         Bridges that hold parts in the sheet; none by default.
     marks : bool
@@ -217,7 +223,7 @@ def write_drawing(
     if holding is not None:
         cut = add_holding_tabs(cut, holding)
     if suffix == ".svg":
-        content = encode_svg(cut, curves=curves, tolerance=tolerance, layers=layers)
+        content = encode_svg(cut, curves=curves, tolerance=tolerance, layers=layers, stroke=stroke)
     else:
         content = encode_dxf(cut, curves=curves, tolerance=tolerance, version=version, layers=layers)
     return write_atomically(path, content, force)

@@ -51,9 +51,8 @@ def encode_dxf(
 
     A loop of lines and arcs is a closed polyline, or a CIRCLE. A loop that is a single spline is a closed
     SPLINE. A loop with splines and other segments is a GROUP of LINE, ARC and SPLINE in order, whose ends
-    meet. With `curves` "arc" or "polyline", such a loop is a closed LWPOLYLINE. In R12 every loop is a chain
-    of LINE and ARC in order, because OpenSCAD and old machines read only these. Entities are written in the
-    order of machining: engraving, marks, inner cuts, outer cuts.
+    meet. With `curves` "arc" or "polyline", such a loop is a closed LWPOLYLINE; in R12, it is a closed POLYLINE.
+    Entities are written in the order of machining: engraving, marks, inner cuts, outer cuts.
 
     Parameters
     ----------
@@ -209,19 +208,11 @@ def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bo
 
 
 def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, object]]:
-    """Yield the tags of a path: a circle, the segments of a closed path, or an open polyline."""
+    """Yield the tags of a path: a circle, or a polyline whose arcs are bulges."""
     if circle := _circle(path):
         yield from ((0, "CIRCLE"), layer, *_at(10, circle.center), (40, float(circle.radius)))
-    elif path.closed:
-        for segment in path.segments:
-            if isinstance(segment, Arc):
-                start, end = _angles(segment)
-                yield from ((0, "ARC"), layer, *_at(10, segment.center), (40, float(segment.radius)))
-                yield from ((50, start), (51, end))
-            else:
-                yield from ((0, "LINE"), layer, *_at(10, segment.start), *_at(11, segment.end))
     else:
-        yield from ((0, "POLYLINE"), layer, (66, 1), *_at(10, (0.0, 0.0)), (70, 0))
+        yield from ((0, "POLYLINE"), layer, (66, 1), *_at(10, (0.0, 0.0)), (70, int(path.closed)))
         for x, y, bulge in _vertices_with_bulges(path):
             yield from ((0, "VERTEX"), layer, *_at(10, (x, y)), (42, bulge))
         yield from ((0, "SEQEND"), layer)

@@ -374,8 +374,8 @@ def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:
 
 def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:
     pieces = [piece for piece in pieces if not piece.is_rod]
-    size, margin, grain = nesting.sheet_size, nesting.margin, nesting.grain
-    return nest_pieces(pieces, sheet_size=size, margin=margin, grain=grain, kerf=spec.cutting.kerf, name=name)
+    options = {key: value for key, value in vars(nesting).items() if key != "price"}
+    return nest_pieces(pieces, **options, kerf=spec.cutting.kerf, name=name)
 
 
 END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("end (2)")}

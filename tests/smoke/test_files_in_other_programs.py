@@ -149,9 +149,8 @@ def stroke_width(file):
     return float(re.search(r'stroke-width[=:]"?([0-9.]+)', text)[1])
 
 
-@pytest.mark.parametrize("kind", ["lines", pytest.param("old", marks=VARIANT)])
-def test_openscad_extrudes_the_dxf(cut, kind):
-    folder, strip = cut
+def test_openscad_extrudes_the_dxf(cut):
+    (folder, strip), kind = cut, "lines"
     # $fn: pieces of a whole turn, also of arcs of 10 m radius
     (folder / f"{kind}.scad").write_text(
         f'$fn = 20000; import("{cutting_file(folder, kind)}", layer="CUT_OUTER");'

@@ -76,10 +76,14 @@ above = [0, 0, 1]
 [nest]
 sheet_size = [600, 400]
 margin = 2
+grain = "height"
+border = false
+price = [12.5, 0.8]
 [cut]
 for = "workshop"
 marks = false
 colors = "boxes"
+stroke = 0.01
 kerf = "sheet"
 curves = "arc"
 tolerance = 0.05

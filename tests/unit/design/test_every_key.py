@@ -403,7 +403,12 @@ ROWS = [
         "interlock",
         {"clearance": 0.3, "fit": "paper", "relief": "round", "above": [0, 0, -1]},
     ),
-    ("nesting", "arch", "nest", {"sheet_size": [300, 200], "margin": 9}),
+    (
+        "nesting",
+        "arch",
+        "nest",
+        {"sheet_size": [300, 200], "margin": 9, "grain": "height", "border": False, "price": [12, 1]},
+    ),
     (
         "cutting",
         "arch",
@@ -415,6 +420,7 @@ ROWS = [
             "curves": "polyline",
             "version": "R12",
             "colors": "boxes",
+            "stroke": 0.01,
             "holding": {"width": 0.4},
         },
     ),
@@ -735,7 +741,9 @@ def model_answer(design, folder, *, effects):
     placed = [
         (place.strip.rod.curve.control_points, place.frame.origin, place.frame.axes) for place in model.placed
     ]
-    nests = [(nest.name, nest.sheet_size, nest.counts, nest.share) for nest in contents.nests]
+    nests = [
+        (nest.name, nest.sheet_size, nest.counts, nest.share, len(nest.paths)) for nest in contents.nests
+    ]
     pieces = [(piece.name, piece.count, piece.sheet, piece.drawing) for piece in contents.pieces]
     cutting = kit.cutting.options(model.strips[0].sheet) | {
         "for": kit.cutting.recipient,
@@ -754,6 +762,7 @@ def model_answer(design, folder, *, effects):
         kit.language,
         [vars(block) for block in contents.blocks],
         ranges,
+        str(contents.cut_list),
     )
 
 

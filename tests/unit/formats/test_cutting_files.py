@@ -1,3 +1,4 @@
+import re
 import subprocess
 import sys
 from xml.etree import ElementTree
@@ -124,9 +125,9 @@ def test_one_entity_a_loop_where_there_is_one(tmp_path):
     assert [e.dxftype() for e in space.query("*[layer=='CUT_OUTER']")] == ["LWPOLYLINE"]
     path = write_drawing(drawing(), tmp_path / "old.dxf", version="R12")
     space = ezdxf.readfile(path).modelspace()
-    # OpenSCAD reads no POLYLINE of R12: loops are chains there, open strokes stay whole
-    assert {e.dxftype() for e in space.query("*[layer=='CUT_OUTER']")} == {"LINE", "ARC"}
-    assert {e.dxftype() for e in space} == {"CIRCLE", "LINE", "ARC", "POLYLINE"}
+    (outline,) = space.query("*[layer=='CUT_OUTER']")
+    assert (outline.dxftype(), outline.is_closed, outline.has_arc) == ("POLYLINE", True, True)
+    assert {e.dxftype() for e in space} == {"CIRCLE", "POLYLINE"}
 
 
 @pytest.mark.parametrize("layer", [CUT_OUTER, CUT_INNER, MARK])
@@ -158,6 +159,14 @@ def test_only_the_border_of_a_sheet_is_seen_without_being_worked(tmp_path):
     layers = ezdxf.readfile(write_drawing(nested, tmp_path / "nest.dxf")).layers
     assert layers.get("SHEET").dxf.plot == 0
     assert all(layers.get(name).dxf.plot == 1 for name in ("CUT_OUTER", "CUT_INNER", "MARK", "ENGRAVE"))
+
+
+def test_lines_of_an_svg_are_as_wide_as_requested(tmp_path):
+    for stroke in (0.1, 0.01):
+        text = write_drawing(drawing(), tmp_path / f"{stroke}.svg", stroke=stroke).read_text()
+        assert set(re.findall(r'stroke-width="([^"]*)"', text)) == {f"{stroke:g}"}
+    with pytest.raises(InputError, match="stroke"):
+        write_drawing(drawing(), tmp_path / "none.svg", stroke=0)
 
 
 def test_units_and_view(tmp_path):

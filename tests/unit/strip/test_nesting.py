@@ -201,6 +201,13 @@ def test_nests_say_where_the_grain_runs(sheet, told):
     assert nest.grain == told
 
 
+def test_the_border_can_be_left_out():
+    pieces = [plate("g", 120, 30)]
+    (with_border,), (bare,) = nest_pieces(pieces), nest_pieces(pieces, border=False)
+    assert [item.layer for item in with_border.paths if item.layer == "SHEET"] == ["SHEET"]
+    assert [item.layer for item in bare.paths] == [item.layer for item in with_border.paths[1:]]
+
+
 def test_different_parts_with_one_label_are_numbered():
     model = Model([Placed(strip("A")), Placed(strip("A", 3.0)), Placed(strip("A-2", 1.5))])
     names = [piece.name for piece in model.pieces]
