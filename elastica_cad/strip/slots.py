@@ -454,12 +454,16 @@ def mating_marks(
     """Return the names of the inserted parts, engraved at their slots, clear of cuts, `marks` and other texts.
 
     A name is at the inner end of its slot or beside the slot, as large as possible. A name that does not
-    fit is omitted. `slots` has each slot with its cut line, and `taken` are the texts that are there already.
+    fit is omitted. If equal parts go into all slots, their name is engraved once. `slots` has each slot with its
+    cut line, and `taken` are the texts that are there already.
     """
     cuts = Cuts(holes, marks, slots=[rim for _, rim in slots])
     boxes = [box_about(_text_box(text)) for text in taken]
-    texts = []
+    texts = list[Text]()
+    alike = len({slot.mate for slot, _ in slots}) == 1
     for slot, rim in slots:
+        if texts and alike:
+            break
         for text in _choices(slot, rim.points, width) if slot.mate else ():
             box = _text_box(text)
             if _clear(box, width, boxes, cuts):

@@ -258,8 +258,9 @@ def test_mates_and_equal_labels_have_the_same_numbers():
 
 
 def test_a_single_strip_names_its_number():
-    strip = arch("Łukasz")
-    assert (strip.label, strip.engraved) == ("Łukasz", "1")
-    assert any("1 = Łukasz" in text for text in strip.warnings)
-    assert arch("Träger").engraved == "Träger"
-    assert not arch("Łukasz", engrave="L").number
+    strip = arch("左边")
+    assert (strip.label, strip.engraved) == ("左边", "1")
+    assert any("1 = 左边" in text for text in strip.warnings)
+    for label in ("Träger", "Łukasz", "Анна", "Νίκη"):
+        assert arch(label).engraved == label
+    assert not arch("左边", engrave="L").number

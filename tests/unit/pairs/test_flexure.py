@@ -465,9 +465,9 @@ def test_states_in_one_clamp_keep_their_positions(clip):
 
 
 def test_names_in_other_alphabets_are_engraved_as_numbers_that_a_note_explains(stand):
-    named = replace(stand, label="Анна", state_names=("左", "2"))
+    named = replace(stand, label="左边", state_names=("左", "2"))
     texts = [text.text for text in (*named.drawing().texts, *named.holder().texts)]
     assert texts[0] == "1"
     assert {"3", "2"} <= set(texts)
     (sentence,) = (str(message) for message in named.warnings if "Numbers are engraved" in message)
-    assert "1 = Анна, 3 = 左" in sentence
+    assert "1 = 左边, 3 = 左" in sentence

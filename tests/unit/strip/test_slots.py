@@ -167,6 +167,15 @@ def test_mates_are_named_beside_their_slots(check_drawing):
     check_drawing(drawing)
 
 
+def test_equal_mates_are_named_once():
+    for names, engraved in ((("S", "S", "S"), ["S"]), (("S", "T", "S"), ["S", "S", "T"])):
+        slots = [Slot(at, 1, 5, mate=name) for at, name in zip((40, 70, 100), names, strict=True)]
+        assert (
+            sorted(text.text for text in arched(*slots, label="A").drawing().texts if text.text != "A")
+            == engraved
+        )
+
+
 def test_no_room_for_a_name_no_name():
     narrow = Strip(Rod.straight(100.0), CARD, max_width=2.0, slots=(Slot(50, 0.5, 1, mate="LONG NAME"),))
     assert not narrow.drawing().texts

@@ -112,7 +112,7 @@ SLIPS = {
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
     "the name of a sheet is a list": lambda: Sheet.named(["mdf-3"]),
     "the kerf is 'a': give a finite number, in mm": lambda: nest_pieces(PIECES, kerf="a"),
-    "margin is '2': give a number from 0, in mm": lambda: nest_pieces(PIECES, margin="2"),
+    "margin is '2': give a number from 0.01, in mm": lambda: nest_pieces(PIECES, margin="2"),
     "sheet_size is '600x400': give 2 numbers above 0, in mm": lambda: nest_pieces(
         PIECES, sheet_size="600x400"
     ),
