@@ -28,7 +28,7 @@ from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import holding_template
-from elastica_cad.strip.pieces import Piece
+from elastica_cad.strip.pieces import Piece, strip_pieces
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 if TYPE_CHECKING:
@@ -163,6 +163,12 @@ def model_kit(
             files.append(
                 File(f"{stem}.png", partial(draw_file, partial(draw_nest, nest)), "picture of a sheet")
             )
+    plans = _plans(contents) if pictures and cutting.service else ()
+    for number, plan in enumerate(plans, start=1):
+        drawn = partial(draw_file, partial(draw_nest, plan))
+        files.append(
+            File(f"{name}-plan-{number}.pdf", drawn, "plan: names, starts (1), ends (2) and slots of parts")
+        )
     for stem, piece in _stems_of_parts(contents) if parts else ():
         if piece.is_rod and cutting.service:
             continue
@@ -335,6 +341,21 @@ def _templates(model: Model) -> list[Piece]:
         framed = replace(template, paths=(LayeredPath(CUT_OUTER, frame), *template.paths))
         templates.append(Piece(template.name, framed, replace(part.strip.sheet, name="paper")))
     return templates
+
+
+def _plans(contents: KitContents) -> tuple[NestedSheet, ...]:
+    """Return pages with each part once, and with the texts that a cutting service does not engrave."""
+    parts = [
+        replace(part, strip=replace(part.strip.labelled(part.name), unmarked=False))
+        for part in contents.model.parts
+    ]
+    strips, nesting = strip_pieces(parts, numbered=True), contents.spec.nesting
+    shown = {piece.name: replace(piece, count=1) for piece in (*contents.pieces, *strips)}
+    return nest_pieces(
+        [piece for piece in shown.values() if not piece.is_rod],
+        sheet_size=tuple(np.max([nest.sheet_size for nest in contents.nests], axis=0)),
+        margin=nesting.margin, grain=nesting.grain, kerf=0.0, border=False, name=f"{contents.model.name}-plan",
+    )  # fmt: skip
 
 
 def _stems_of_parts(contents: KitContents) -> Iterator[tuple[str, Piece]]:

@@ -134,3 +134,17 @@ def test_a_laminate_for_a_service_has_no_word_on_it(arch, tmp_path, service):
     side = json.loads((tmp_path / "out/arch.json").read_text())["backing_side"]
     assert "side" in side
     assert ("engraving" in side) != service
+
+
+def test_a_kit_for_a_service_has_plan_pages(tmp_path):
+    """On them are the texts that the files for the service do not have."""
+    design = tmp_path / "kit.toml"
+    for recipient in ("service", "workshop"):
+        design.write_text(KIT.replace('for = "service"', f'for = "{recipient}"'))
+        read = read_design(design, read_curves)
+        kit = model_kit(kit_contents(read.model(), read.kit, entries=read.entries), step=False)
+        plans = [file for file in kit.files if "-plan-" in file.name]
+        assert bool(plans) == (recipient == "service")
+        for plan in plans:
+            plan.write(tmp_path / plan.name)
+            assert (tmp_path / plan.name).read_bytes().startswith(b"%PDF")
