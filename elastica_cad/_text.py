@@ -134,6 +134,25 @@ _NOT_OF_DRAWINGS = {
 """Options without effect on drawings, and the number of values of each."""
 
 
+def in_runs(names: Iterable[str]) -> list[str]:
+    """Return names with the middle of each run of at least three consecutive numbers left out.
+
+    Examples
+    --------
+    >>> in_runs(["P9", "P10", "P11", "P12", "base", "C1", "C2"])
+    ['P9 ... P12', 'base', 'C1', 'C2']
+    """
+    runs, expected = list[list[str]](), ""
+    for name in names:
+        if name == expected:
+            runs[-1].append(name)
+        else:
+            runs.append([name])
+        found = re.fullmatch(r"(.*?)(\d+)", name)
+        expected = f"{found[1]}{int(found[2]) + 1:0{len(found[2])}}" if found else ""
+    return [text for run in runs for text in ([f"{run[0]} ... {run[-1]}"] if run[2:] else run)]
+
+
 def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
     """Return words as a line for the shell of this system, or for the Windows shell cmd, quoted if necessary.
 

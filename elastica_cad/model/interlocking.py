@@ -11,6 +11,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from elastica_cad._text import in_runs
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
 from elastica_cad.declared import Option, require_declared
@@ -450,11 +451,12 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
         ))  # fmt: skip
     order = [
         note(
-            "assemble in the order {order}: push each strip onto the strips before it", order=", ".join(names)
+            "assemble in the order {order}: push each strip onto the strips before it",
+            order=", ".join(in_runs(names)),
         )
     ]
     if both := [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]:
         order.append(note(
-            "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)
+            "thread {strips} into place, because their slots enter from both edges", strips=", ".join(in_runs(both))
         ))  # fmt: skip
     return (*messages, sentences(order))

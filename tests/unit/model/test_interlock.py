@@ -273,7 +273,7 @@ def test_egg_crate_is_cut_the_same_way_throughout():
     assert len(model.joints) == 9
     assert [slot.side for strip in model.strips for slot in strip.slots] == ["upper"] * 9 + ["lower"] * 9
     assert model.reports == (
-        "assemble in the order R1, R2, R3, C1, C2, C3: push each strip onto the strips before it",
+        "assemble in the order R1 ... R3, C1 ... C3: push each strip onto the strips before it",
     )
     below = Model([*rows, *columns]).interlock(above=(0, 0, -1))
     assert {slot.side for slot in below.strips[0].slots} == {"lower"}
