@@ -459,3 +459,14 @@ def test_every_point_of_a_curve_can_be_dragged(server, tmp_path, width):
             studio.press(studio.point(k), (0, -3))
             studio.until(lambda before=before: studio.shape("points") != before)
         assert not studio.logged()
+
+
+@pytest.mark.parametrize("language", ["en", "de", "zh"])
+def test_all_rows_are_in_sight_on_a_small_laptop(server, tmp_path, language):
+    """Also beside a refusal of the whole model."""
+    model = design(patterns=[{"rotate": {"count": 3, "point": [200, 0, 0]}}], base={"sheet": "mdf-3"})
+    for drawn in (design(), model):
+        with screen(server, tmp_path, 1366, link(drawn), language) as studio:
+            studio.until(lambda: len(studio.all(".numbers dd")) >= 5)
+            room = "const e = document.querySelector('.numbers'); return e.scrollHeight - e.clientHeight"
+            assert studio.browser.execute_script(room) == 0
