@@ -354,7 +354,7 @@ def _plans(contents: KitContents) -> tuple[NestedSheet, ...]:
     return nest_pieces(
         [piece for piece in shown.values() if not piece.is_rod],
         sheet_size=tuple(np.max([nest.sheet_size for nest in contents.nests], axis=0)),
-        margin=nesting.margin, grain=nesting.grain, kerf=0.0, border=False, name=f"{contents.model.name}-plan",
+        margin=nesting.margin, grain=nesting.grain, kerf=0.0, edge=False, name=f"{contents.model.name}-plan",
     )  # fmt: skip
 
 

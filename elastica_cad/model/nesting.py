@@ -25,7 +25,7 @@ Side: TypeAlias = Literal["width", "height"]
 
 @dataclass(frozen=True)
 class Nesting:
-    """Size of the sheets (width, height) and least distance between pieces, mm, grain, border, prices."""
+    """Size of the sheets (width, height) and least distance between pieces, mm, grain, edge, prices."""
 
     sheet_size: Annotated[tuple[float, float], Option("Width and height of the sheets.", "mm", above=0)] = (
         600.0,
@@ -35,7 +35,7 @@ class Nesting:
     grain: Annotated[
         Literal["width", "height"], Option("Side of the sheets that their grain is parallel to.")
     ] = "width"
-    border: Annotated[bool, Option("Draw the border of each sheet, on the layer SHEET.")] = True
+    edge: Annotated[bool, Option("Draw the edge of each sheet, on the layer SHEET.")] = True
     price: Annotated[
         tuple[float, float] | None,
         Option("Price of a sheet, and price of a metre of cuts; the cut list gives the sum.", least=0),
@@ -122,7 +122,7 @@ def nest_pieces(
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
     grain: Side = "width",
-    border: bool = True,
+    edge: bool = True,
     kerf: float | None = KERF,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:
@@ -142,8 +142,8 @@ def nest_pieces(
         Least distance of tool paths from each other and from the edge of the sheet, mm.
     grain : {"width", "height"}
         Side of the sheets that their grain is parallel to.
-    border : bool
-        Draw the border of each sheet, on the layer SHEET.
+    edge : bool
+        Draw the edge of each sheet, on the layer SHEET.
     kerf : float or None
         Kerf, mm, for which the written drawings will be compensated (`compensate_kerf`). None means the kerf
         of each sheet.
@@ -161,7 +161,7 @@ def nest_pieces(
     Two-dimensional packing problems, EJOR 141, 2002). A box is the exact bounding box of the cut curves, so
     the curves keep the margin.
     """
-    nesting = Nesting(sheet_size, margin, grain, border)
+    nesting = Nesting(sheet_size, margin, grain, edge)
     if kerf is not None:
         require_number(kerf, "the kerf", "mm")
     groups: dict[Sheet, list[Piece]] = {}
@@ -336,7 +336,7 @@ def _drawing(
     merged = Drawing.merged(f"{name}-{sheet.name}", laid)
     return NestedSheet(
         merged.name,
-        (*[LayeredPath(SHEET, Path.rectangle(*size))] * nesting.border, *merged.paths),
+        (*[LayeredPath(SHEET, Path.rectangle(*size))] * nesting.edge, *merged.paths),
         merged.texts,
         sheet=sheet,
         sheet_size=size,

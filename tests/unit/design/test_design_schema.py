@@ -77,7 +77,7 @@ above = [0, 0, 1]
 sheet_size = [600, 400]
 margin = 2
 grain = "height"
-border = false
+edge = false
 price = [12.5, 0.8]
 [cut]
 for = "workshop"

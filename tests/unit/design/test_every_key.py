@@ -407,7 +407,7 @@ ROWS = [
         "nesting",
         "arch",
         "nest",
-        {"sheet_size": [300, 200], "margin": 9, "grain": "height", "border": False, "price": [12, 1]},
+        {"sheet_size": [300, 200], "margin": 9, "grain": "height", "edge": False, "price": [12, 1]},
     ),
     (
         "cutting",

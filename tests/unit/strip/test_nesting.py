@@ -201,11 +201,11 @@ def test_nests_say_where_the_grain_runs(sheet, told):
     assert nest.grain == told
 
 
-def test_the_border_can_be_left_out():
+def test_the_edge_of_the_sheet_can_be_left_out():
     pieces = [plate("g", 120, 30)]
-    (with_border,), (bare,) = nest_pieces(pieces), nest_pieces(pieces, border=False)
-    assert [item.layer for item in with_border.paths if item.layer == "SHEET"] == ["SHEET"]
-    assert [item.layer for item in bare.paths] == [item.layer for item in with_border.paths[1:]]
+    (whole,), (bare,) = nest_pieces(pieces), nest_pieces(pieces, edge=False)
+    assert [item.layer for item in whole.paths if item.layer == "SHEET"] == ["SHEET"]
+    assert [item.layer for item in bare.paths] == [item.layer for item in whole.paths[1:]]
 
 
 def test_different_parts_with_one_label_are_numbered():
