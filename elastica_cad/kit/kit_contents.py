@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -387,25 +388,27 @@ def _nearer_to_design(name: str, strip: Strip, requests: Mapping[str, StripSpec]
     request = requests.get(strip.label)
     if request is None or request.section is not None:
         return
-    if not request.compensate:
-        # as `interlock_compensated`: a correction is smaller if a slot would no longer reach the neighbour
-        largest, at = LARGEST_CORRECTION, np.array([slot.at for slot in strip.slots])
-        corrected = compensate_widths(strip, largest=largest)
-        while np.max(strip.width(at) / corrected.width(at)) > MOST_NARROWER:
-            largest *= SMALLER_CORRECTION
+    # a change may leave no strip that can be held
+    with suppress(ElasticaError):
+        if not request.compensate:
+            # as `interlock_compensated`: a correction is smaller if a slot would no longer reach the neighbour
+            largest, at = LARGEST_CORRECTION, np.array([slot.at for slot in strip.slots])
             corrected = compensate_widths(strip, largest=largest)
-        better = corrected.held_deviation
-        if better < 0.7 * strip.held_deviation:
+            while np.max(strip.width(at) / corrected.width(at)) > MOST_NARROWER:
+                largest *= SMALLER_CORRECTION
+                corrected = compensate_widths(strip, largest=largest)
+            if corrected.held_deviation < 0.7 * strip.held_deviation:
+                yield note(
+                    "{field} = true reduces the deviation, of {name} to {better:.2g} at best.",
+                    field=FieldName("compensate"), name=name, better=Length(corrected.held_deviation),
+                )  # fmt: skip
+    with suppress(ElasticaError):
+        wide = replace(strip, ends=tuple(replace(tab, width=None) for tab in strip.ends))
+        if wide.held_deviation < 0.7 * strip.held_deviation:
             yield note(
-                "{field} = true reduces the deviation, of {name} to {better:.2g} at best.",
-                field=FieldName("compensate"), name=name, better=Length(better),
+                "Tabs as wide as the strip ({field}) reduce the deviation, of {name} to {better:.2g} at best.",
+                field=FieldName("ends.width"), name=name, better=Length(wide.held_deviation),
             )  # fmt: skip
-    wide = replace(strip, ends=tuple(replace(tab, width=None) for tab in strip.ends))
-    if wide.held_deviation < 0.7 * strip.held_deviation:
-        yield note(
-            "Tabs as wide as the strip ({field}) reduce the deviation, of {name} to {better:.2g} at best.",
-            field=FieldName("ends.width"), name=name, better=Length(wide.held_deviation),
-        )  # fmt: skip
 
 
 def _shapes_in_holders(

@@ -163,7 +163,8 @@ def model_kit(
             files.append(
                 File(f"{stem}.png", partial(draw_file, partial(draw_nest, nest)), "picture of a sheet")
             )
-    plans = _plans(contents) if pictures and cutting.service else ()
+    # a model of rods has no sheets
+    plans = _plans(contents) if pictures and cutting.service and contents.nests else ()
     for number, plan in enumerate(plans, start=1):
         drawn = partial(draw_file, partial(draw_nest, plan))
         files.append(

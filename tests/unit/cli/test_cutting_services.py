@@ -148,3 +148,15 @@ def test_a_kit_for_a_service_has_plan_pages(tmp_path):
         for plan in plans:
             plan.write(tmp_path / plan.name)
             assert (tmp_path / plan.name).read_bytes().startswith(b"%PDF")
+
+
+def test_a_kit_of_rods_has_no_plan_page(tmp_path):
+    design = tmp_path / "rods.toml"
+    design.write_text(
+        'schema = 1\nsheet = "glass-rod-8"\nsection = { kind = "rod", limits = [8, 8] }\nlimits = { ratio = 1 }\n'
+        'cut = { for = "service" }\n[[strips]]\nlabel = "hoop"\n'
+        "curve = { ellipse = { semi_axes = [800, 800], start = 0, end = 3.14159265358979 } }\n"
+    )
+    read = read_design(design, read_curves)
+    kit = model_kit(kit_contents(read.model(), read.kit, entries=read.entries), step=False)
+    assert [file.name for file in kit.files if file.name.endswith(".pdf")] == ["rods-assembly.pdf"]
