@@ -386,9 +386,11 @@ class Model:
 ROUNDS, MOST_ROUNDS = 2, 10
 """Number of rounds after the last round that lost a joint, and largest number of rounds."""
 
-LARGEST_CORRECTION, SMALLER_CORRECTION, MOST_NARROWER = 0.15, 0.7, 1.1
-"""Largest change of the logarithm of a strip's width; its factor after each round in which the strip lost a
-joint and became too much narrower there; and this largest ratio of widths."""
+LARGEST_CORRECTION, SMALLER_CORRECTION = 0.15, 0.7
+"""Largest change of the logarithm of a strip's width, and the factor that reduces it where joints are lost."""
+
+MOST_NARROWER = 1.1
+"""Largest ratio of the widths before and after a correction, at a slot that still reaches its neighbour."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:

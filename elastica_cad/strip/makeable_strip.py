@@ -110,6 +110,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
     A finished strip in its holders deviates from its design (`Strip.held`), for example because of its slots.
     Smooth corrections of the widths are computed to first order, and are repeated while the deviation decreases.
+    The search begins at the correction that the strip has.
     The remaining deviation is `Strip.held().deviation`.
 
     Parameters
@@ -144,11 +145,11 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
     # first guess: the correction of before, or the inverse of the loss of stiffness, smoothed along the strip
-    stiffer = (
+    factors = (
         1 / np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0)
         if before is None else before(design.s)
     )  # fmt: skip
-    wider = np.log(stiffer)
+    wider = np.log(factors)
     # largest |log(factor on the width)|
     clip = min(0.5, largest)
     guess = np.linalg.lstsq(basis, wider - wider.mean(), rcond=None)[0].clip(-clip, clip)
